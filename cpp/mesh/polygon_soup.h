@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/vec.h"
+
+namespace foldwright {
+
+/// Something that was mended or noticed in the input, for the report.
+struct Repair {
+  std::string code;  ///< stable kebab-case word, e.g. "welded-vertices"
+  int count = 0;     ///< how many vertices, edges or faces it concerns
+  std::string text;  ///< one sentence for people
+};
+
+/// A model as its file says it: polygons over vertices, nothing welded, checked or oriented.
+/// Face i has the corners `corners[first_corner[i]] .. corners[first_corner[i + 1] - 1]`;
+/// all corner indices are valid and all coordinates finite.
+struct PolygonSoup {
+  std::vector<Vec3> positions;
+  std::vector<int> corners;
+  std::vector<int> first_corner = {0};  ///< one more entry than faces
+  std::vector<Repair> repairs;          ///< what the reader itself had to put up with
+
+  int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
+};
+
+}  // namespace foldwright

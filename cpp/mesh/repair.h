@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/polygon_soup.h"
+
+namespace foldwright {
+
+struct RepairOptions {
+  /// Vertices nearer than this share of the bounding box's diagonal become one. Exporters round to
+  /// six or seven digits, so genuine detail lies well above it and copies well below.
+  double weld_tolerance = 1e-6;
+};
+
+/// A mesh that can be unfolded, and what had to be done to the input for it.
+struct RepairedModel {
+  Mesh mesh;
+  std::vector<Repair> repairs;  ///< the reader's notes first, then one entry per kind of repair
+  int source_face_count = 0;    ///< faces of the file as read; a dropped one is in no `source_faces`
+};
+
+/// Turns polygons into an oriented manifold triangle mesh, and reports everything it changed.
+///
+/// Vertices are welded, polygons triangulated, degenerate and duplicate faces dropped, T-junctions
+/// closed, winding made consistent and outward per component, non-manifold edges and vertices
+/// split, non-orientable surfaces cut open. Each component of an open surface keeps the winding
+/// that the majority of its area has in the file. The bounding box is centred at the origin.
+/// \throw InputError when no usable face is left
+RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
+
+}  // namespace foldwright
