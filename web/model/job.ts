@@ -1,0 +1,126 @@
+/**
+ * What goes into a job and what comes out of it, as plain data. Lengths are millimetres unless a
+ * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
+ */
+
+export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
+export type Segmenter = 'merge' | 'spectral';
+export type Orientation = 'auto' | 'portrait' | 'landscape';
+
+export interface JobOptions {
+  /** Number of parts; 0 estimates it. */
+  parts: number;
+  /** Heuristic of the learning runs. */
+  heuristic: Heuristic;
+  segment: Segmenter;
+  /** Learning runs. */
+  runs: number;
+  /** Learn on a simplified proxy above this many faces; 0: never. */
+  proxy: number;
+  seed: number;
+  /** Simplify to this many triangles first; 0: keep all. */
+  faces: number;
+  /** Paper, portrait: width <= height. */
+  paperWidth: number;
+  paperHeight: number;
+  orientation: Orientation;
+  margin: number;
+}
+
+export interface Repair {
+  code: string;
+  count: number;
+  text: string;
+}
+
+export interface Notice {
+  code: string;
+  text: string;
+}
+
+/** The repaired model at its finished size. */
+export interface Model {
+  /** 3 per vertex. */
+  vertices: Float64Array;
+  /** 3 per face, counter-clockwise from outside. */
+  faces: Int32Array;
+  components: number;
+}
+
+/** One net on paper. */
+export interface Piece {
+  id: number;
+  part: number;
+  /** Why the piece exists: it is a whole part, or a share of a part that has no net. */
+  cause: 'part' | 'no-net';
+  /** Overlapping face pairs found by the independent check; 0 in every finished net. */
+  overlaps: number;
+  width: number;
+  height: number;
+  /** 2 per vertex, y up; the bounding box starts at (0, 0). */
+  vertices: Float64Array;
+  /** 3 per face, counter-clockwise from the printed side. */
+  faces: Int32Array;
+  /** Per face: its index in the model. */
+  sources: Int32Array;
+  /** 2 per edge: indices of vertices. */
+  edges: Int32Array;
+  /** One letter per edge: B cut or border, M mountain, V valley, F flat. */
+  assignments: string;
+  /** Per edge, degrees: valley positive, mountain negative; NaN for B. */
+  foldAngles: Float64Array;
+  /** Per edge: its edge of the model; the two sides of a cut share it. */
+  modelEdges: Int32Array;
+  /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
+   * walked there and back. */
+  outlines: Int32Array[];
+  /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
+  sheet: number;
+  x: number;
+  y: number;
+}
+
+export interface Sheet {
+  width: number;
+  height: number;
+}
+
+export interface JobResult {
+  model: Model;
+  repairs: Repair[];
+  /** Per face of the file as read: its part, -1 if dropped. */
+  segmentation: Int32Array;
+  /** Per face of the repaired model: its part. */
+  labels: Int32Array;
+  parts: number;
+  pieces: Piece[];
+  sheets: Sheet[];
+  /** Area of the faces over the area of the sheets. */
+  efficiency: number;
+  /** Millimetres per unit of the model. */
+  scale: number;
+  search: { generations: number; moves: number };
+  notices: Notice[];
+  /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */
+  hash: string;
+}
+
+export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
+
+/** What a job tells while it runs; `progress` is in [0, 1] over the whole job and never falls. */
+export type JobEvent =
+  | { type: 'stage'; stage: Stage; progress: number }
+  | { type: 'learned'; runs: number; of: number }
+  | { type: 'segmented'; labels: Int32Array }
+  | {
+      type: 'generation';
+      part: number;
+      generation: number;
+      best: number;
+      overlaps: number;
+      hyperbolic: number;
+    }
+  | { type: 'net'; part: number; piece: number }
+  | { type: 'notice'; code: string; text: string }
+  | { type: 'done'; result: JobResult }
+  | { type: 'error'; code: string; text: string };
