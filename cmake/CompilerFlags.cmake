@@ -1,0 +1,21 @@
+# Flags of everything that is compiled here, third-party code included.
+
+# Contracted multiply-adds would give other bits on machines that have them: results must not depend on the machine.
+add_compile_options(-ffp-contract=off)
+
+if(EMSCRIPTEN)
+  # SIMD and native exceptions are part of the ABI: every object file must agree on them.
+  add_compile_options(-msimd128 -fwasm-exceptions)
+  add_link_options(-fwasm-exceptions)
+endif()
+
+option(FOLDWRIGHT_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+if(FOLDWRIGHT_SANITIZE)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_compile_options(${sanitizers})
+  add_link_options(${sanitizers})
+endif()
+
+# Warnings are for the project's own code alone.
+add_library(project_warnings INTERFACE)
+target_compile_options(project_warnings INTERFACE -Wall -Wextra -Wpedantic)

@@ -1,0 +1,15 @@
+# Eigen and Spectra, from the system. They are reached through a folder of two links, so that a cross-compiler sees
+# these two and none of the system's other headers.
+
+find_path(EIGEN_HEADERS Eigen/Core PATH_SUFFIXES eigen3 NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+find_path(SPECTRA_HEADERS Spectra/SymEigsSolver.h NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+
+set(header_links "${PROJECT_BINARY_DIR}/third_party/include")
+file(MAKE_DIRECTORY "${header_links}")
+foreach(library Eigen:${EIGEN_HEADERS}/Eigen Spectra:${SPECTRA_HEADERS}/Spectra)
+  string(REGEX MATCH "^([A-Za-z]+):(.+)$" _ "${library}")
+  file(CREATE_LINK "${CMAKE_MATCH_2}" "${header_links}/${CMAKE_MATCH_1}" SYMBOLIC)
+endforeach()
+
+add_library(header_libraries INTERFACE)
+target_include_directories(header_libraries SYSTEM INTERFACE "${header_links}")

@@ -1,0 +1,46 @@
+# One GoogleTest executable from tests/cpp, the same sources natively and as WASM under node.
+
+file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp")
+if(NOT test_sources)
+  return()
+endif()
+enable_testing()
+
+# Models too large or too foreign to commit lie beside the repository; tests that need them skip visibly without.
+if(DEFINED ENV{FOLDWRIGHT_SHARED})
+  set(shared_default "$ENV{FOLDWRIGHT_SHARED}")
+else()
+  cmake_path(SET shared_default NORMALIZE "${PROJECT_SOURCE_DIR}/../shared")
+endif()
+set(FOLDWRIGHT_SHARED "${shared_default}" CACHE PATH "Folder of shared test models")
+
+if(EMSCRIPTEN)
+  # There is no WASM build of GoogleTest to find: compile the distribution's copy of its source.
+  set(FOLDWRIGHT_GOOGLETEST_SOURCE /usr/src/googletest CACHE PATH "Source tree of GoogleTest")
+  set(INSTALL_GTEST OFF)
+  set(BUILD_GMOCK OFF)
+  set(gtest_disable_pthreads ON)
+  add_subdirectory("${FOLDWRIGHT_GOOGLETEST_SOURCE}" googletest EXCLUDE_FROM_ALL SYSTEM)
+  target_compile_options(gtest PRIVATE -w)
+  target_compile_options(gtest_main PRIVATE -w)
+  set(gtest_libraries gtest gtest_main)
+else()
+  find_package(GTest REQUIRED)
+  set(gtest_libraries GTest::gtest GTest::gtest_main)
+endif()
+
+add_executable(foldwright_tests ${test_sources})
+target_link_libraries(foldwright_tests PRIVATE foldwright project_warnings ${gtest_libraries})
+target_compile_definitions(foldwright_tests PRIVATE
+  FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}" FOLDWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+
+if(EMSCRIPTEN)
+  include(NodeProgram)
+  make_node_program(foldwright_tests)
+  # One ctest entry: starting node once per test would take longer than the tests.
+  add_test(NAME wasm COMMAND foldwright_tests --gtest_brief=1)
+  set_tests_properties(wasm PROPERTIES TIMEOUT 600)
+else()
+  include(GoogleTest)
+  gtest_discover_tests(foldwright_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endif()
