@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <initializer_list>
 
 namespace foldwright {
 namespace {

@@ -17,7 +17,8 @@ void build_edges(Mesh& mesh) {
       const int a = mesh.faces[f][i];
       const int b = mesh.faces[f][(i + 1) % 3];
       const auto [low, high] = std::minmax(a, b);
-      const std::uint64_t key = (static_cast<std::uint64_t>(low) << 32) | static_cast<unsigned>(high);
+      const std::uint64_t key =
+          (static_cast<std::uint64_t>(low) << 32) | static_cast<unsigned>(high);
       const auto [entry, is_new] = edge_of.try_emplace(key, mesh.edge_count());
       if (is_new) {
         mesh.edges.push_back({{a, b}, {f, -1}});

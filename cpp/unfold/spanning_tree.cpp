@@ -1,0 +1,63 @@
+#include "unfold/spanning_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace foldwright {
+namespace {
+
+int find_root(std::vector<int>& leader, int panel) {
+  while (leader[panel] != panel) {
+    leader[panel] = leader[leader[panel]];
+    panel = leader[panel];
+  }
+  return panel;
+}
+
+}  // namespace
+
+FoldTree minimum_spanning_tree(const DualGraph& graph, std::span<const double> weights) {
+  assert(static_cast<int>(weights.size()) == graph.hinge_count());
+  std::vector<int> by_weight(graph.hinge_count());
+  std::iota(by_weight.begin(), by_weight.end(), 0);
+  std::sort(by_weight.begin(), by_weight.end(), [&](int a, int b) {
+    return weights[a] != weights[b] ? weights[a] < weights[b] : a < b;
+  });
+  std::vector<int> leader(graph.panel_count());
+  std::iota(leader.begin(), leader.end(), 0);
+  FoldTree folds;
+  folds.reserve(graph.panel_count() - 1);
+  for (const int h : by_weight) {
+    const int a = find_root(leader, graph.hinges[h].panels[0]);
+    const int b = find_root(leader, graph.hinges[h].panels[1]);
+    if (a == b) continue;
+    leader[a] = b;
+    folds.push_back(h);
+  }
+  assert(static_cast<int>(folds.size()) == graph.panel_count() - 1 && "graph is not connected");
+  std::sort(folds.begin(), folds.end());
+  return folds;
+}
+
+RootedTree hang_tree(const DualGraph& graph, std::span<const int> folds, int root) {
+  const int n = graph.panel_count();
+  std::vector<char> is_fold(graph.hinge_count(), 0);
+  for (const int h : folds) is_fold[h] = 1;
+  RootedTree tree{{root}, std::vector<int>(n, -1), std::vector<int>(n, -1)};
+  tree.order.reserve(n);
+  for (std::size_t head = 0; head < tree.order.size(); ++head) {
+    const int panel = tree.order[head];
+    for (const int h : graph.hinges_of(panel)) {
+      if (!is_fold[h] || h == tree.hinge[panel]) continue;
+      const int child = graph.hinges[h].other(panel);
+      tree.parent[child] = panel;
+      tree.hinge[child] = h;
+      tree.order.push_back(child);
+    }
+  }
+  assert(static_cast<int>(tree.order.size()) == n && "folds do not span the graph");
+  return tree;
+}
+
+}  // namespace foldwright
