@@ -1,0 +1,188 @@
+#include "meshes.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "geometry/random.h"
+
+namespace foldwright::testing {
+namespace {
+
+using Face = std::array<int, 3>;
+
+/// Incremental hull: a point replaces the faces that it sees by a fan over their silhouette.
+std::vector<Face> convex_hull(const std::vector<Vec3>& points) {
+  const auto sees = [&](const Face& face, const Vec3& point) {
+    const Vec3& a = points[face[0]];
+    return (points[face[1]] - a).cross(points[face[2]] - a).dot(point - a) > 0;
+  };
+  std::vector<Face> hull = {{0, 1, 2}, {0, 2, 1}};
+  for (int p = 3; p < static_cast<int>(points.size()); ++p) {
+    std::vector<Face> kept;
+    std::set<std::pair<int, int>> silhouette;  // directed edges of the faces seen, less inner ones
+    for (const Face& face : hull) {
+      if (!sees(face, points[p])) {
+        kept.push_back(face);
+        continue;
+      }
+      for (int i = 0; i < 3; ++i) {
+        const int from = face[i];
+        const int to = face[(i + 1) % 3];
+        if (silhouette.erase({to, from}) == 0) silhouette.insert({from, to});
+      }
+    }
+    for (const auto& [from, to] : silhouette) kept.push_back({from, to, p});
+    hull = std::move(kept);
+  }
+  return hull;
+}
+
+}  // namespace
+
+Mesh cube() {
+  std::vector<Vec3> positions;
+  for (int i = 0; i < 8; ++i) {
+    positions.emplace_back((i & 4 ? 0.5 : -0.5), (i & 2 ? 0.5 : -0.5), (i & 1 ? 0.5 : -0.5));
+  }
+  return make_mesh(std::move(positions), {{0, 1, 3},
+                                          {0, 3, 2},
+                                          {4, 6, 7},
+                                          {4, 7, 5},
+                                          {0, 4, 5},
+                                          {0, 5, 1},
+                                          {2, 3, 7},
+                                          {2, 7, 6},
+                                          {0, 2, 6},
+                                          {0, 6, 4},
+                                          {1, 5, 7},
+                                          {1, 7, 3}});
+}
+
+Mesh tetrahedron() {
+  return make_mesh({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}},
+                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+}
+
+Mesh icosahedron() {
+  const double g = std::numbers::phi;
+  std::vector<Vec3> positions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                                 {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                                 {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  for (Vec3& position : positions) position.normalize();
+  return make_mesh(
+      std::move(positions),
+      {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}});
+}
+
+Mesh star() {
+  const Mesh core = icosahedron();
+  std::vector<Vec3> positions = core.positions;
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] : core.faces) {
+    const int tip = static_cast<int>(positions.size());
+    const Vec3 centre = (core.positions[a] + core.positions[b] + core.positions[c]) / 3;
+    positions.push_back(2 * centre.normalized());
+    faces.insert(faces.end(), {{a, b, tip}, {b, c, tip}, {c, a, tip}});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh torus(int around, int tube) {
+  std::vector<Vec3> positions;
+  std::vector<Face> faces;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < tube; ++j) {
+      const double u = 2 * std::numbers::pi * i / around;
+      const double v = 2 * std::numbers::pi * j / tube;
+      const double radius = 1 + 0.4 * std::cos(v);
+      positions.emplace_back(radius * std::cos(u), radius * std::sin(u), 0.4 * std::sin(v));
+      const int next_i = (i + 1) % around;
+      const int next_j = (j + 1) % tube;
+      const int a = i * tube + j;
+      const int b = next_i * tube + j;
+      const int c = next_i * tube + next_j;
+      const int d = i * tube + next_j;
+      faces.insert(faces.end(), {{a, b, c}, {a, c, d}});
+    }
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh open_strip(int squares) {
+  std::vector<Vec3> positions = {{0, 0, 0}, {0, 1, 0}};
+  std::vector<Face> faces;
+  for (int i = 0; i < squares; ++i) {
+    positions.emplace_back(i + 1, 0, 0);
+    positions.emplace_back(i + 1, 1, 0);
+    const int a = 2 * i;
+    faces.insert(faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+PolygonSoup mobius_strip(int quads) {
+  std::vector<Vec3> positions;
+  std::vector<std::vector<int>> polygons;
+  for (int i = 0; i < quads; ++i) {
+    const double u = 2 * std::numbers::pi * i / quads;
+    const Vec3 outwards(std::cos(u), std::sin(u), 0);
+    const Vec3 across = std::cos(u / 2) * outwards + std::sin(u / 2) * Vec3::UnitZ();
+    positions.push_back(outwards - 0.3 * across);
+    positions.push_back(outwards + 0.3 * across);
+    const bool closing = i + 1 == quads;  // half a turn later, inner and outer have changed places
+    const int next_inner = closing ? 1 : 2 * i + 2;
+    const int next_outer = closing ? 0 : 2 * i + 3;
+    polygons.push_back({2 * i, 2 * i + 1, next_outer, next_inner});
+  }
+  return soup(std::move(positions), polygons);
+}
+
+Mesh random_hull(std::uint64_t seed, int points) {
+  Random random(seed);
+  std::vector<Vec3> positions;
+  while (static_cast<int>(positions.size()) < points) {
+    const Vec3 p(2 * random.uniform() - 1, 2 * random.uniform() - 1, 2 * random.uniform() - 1);
+    // Uniform on the sphere: directions of points of the ball, away from its centre.
+    if (p.norm() < 1 && p.norm() > 0.1) positions.push_back(p.normalized());
+  }
+  std::vector<Face> faces = convex_hull(positions);
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+PolygonSoup soup(std::vector<Vec3> positions, const std::vector<std::vector<int>>& polygons) {
+  PolygonSoup result;
+  result.positions = std::move(positions);
+  for (const std::vector<int>& polygon : polygons) {
+    result.corners.insert(result.corners.end(), polygon.begin(), polygon.end());
+    result.first_corner.push_back(static_cast<int>(result.corners.size()));
+  }
+  return result;
+}
+
+PolygonSoup soup_of(const Mesh& mesh) {
+  std::vector<std::vector<int>> polygons;
+  for (const auto& [a, b, c] : mesh.faces) polygons.push_back({a, b, c});
+  return soup(mesh.positions, polygons);
+}
+
+double signed_volume(const Mesh& mesh, int component) {
+  double sum = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.components[f] != component) continue;
+    const auto& [a, b, c] = mesh.faces[f];
+    sum += mesh.positions[a].dot(mesh.positions[b].cross(mesh.positions[c]));
+  }
+  return sum / 6;
+}
+
+int border_edge_count(const Mesh& mesh) {
+  int count = 0;
+  for (const Mesh::Edge& edge : mesh.edges) count += edge.faces[1] == -1;
+  return count;
+}
+
+}  // namespace foldwright::testing

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/polygon_soup.h"
+
+/// Small meshes with known properties, shared by the tests. All closed ones are wound outwards.
+namespace foldwright::testing {
+
+/// Unit cube around the origin: 8 vertices, 12 triangles.
+Mesh cube();
+
+/// Regular tetrahedron inscribed in the cube of side 2.
+Mesh tetrahedron();
+
+/// Regular icosahedron with unit circumradius: 20 triangles.
+Mesh icosahedron();
+
+/// Icosahedron with a spike on every face: closed, non-convex, 60 triangles.
+Mesh star();
+
+/// Torus with radii 1 and 0.4: `around` x `tube` quads, each in two triangles. \pre both >= 3
+Mesh torus(int around, int tube);
+
+/// Flat open strip of `squares` unit squares in a row: 2 * squares triangles.
+Mesh open_strip(int squares);
+
+/// Moebius strip of `quads` quads: non-orientable, so only `repair` makes a Mesh of it. \pre >= 3
+PolygonSoup mobius_strip(int quads);
+
+/// Convex hull of `points` random points on the unit sphere; same seed, same hull. \pre points >= 4
+Mesh random_hull(std::uint64_t seed, int points);
+
+/// Polygons over the given positions, as a reader would deliver them.
+PolygonSoup soup(std::vector<Vec3> positions, const std::vector<std::vector<int>>& polygons);
+
+/// The faces of a mesh as polygons, to be spoilt by a test and repaired.
+PolygonSoup soup_of(const Mesh& mesh);
+
+/// Volume enclosed by a closed component, positive when it is wound outwards.
+double signed_volume(const Mesh& mesh, int component = 0);
+
+/// Number of edges with one face.
+int border_edge_count(const Mesh& mesh);
+
+}  // namespace foldwright::testing
