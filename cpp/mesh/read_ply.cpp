@@ -1,0 +1,161 @@
+#include <cmath>
+#include <cstdint>
+
+#include "mesh/byte_reader.h"
+#include "mesh/formats.h"
+#include "mesh/input_error.h"
+#include "mesh/ply_header.h"
+#include "mesh/soup_builder.h"
+
+namespace foldwright {
+namespace {
+
+/// The values after the header, one by one, whatever their encoding.
+class PlyData {
+ public:
+  PlyData(const TextScanner& scanner, std::span<const std::byte> bytes, PlyEncoding encoding)
+      : is_ascii_(encoding == PlyEncoding::kAscii),
+        scanner_(scanner),
+        reader_(bytes.subspan(scanner.position()),
+                encoding == PlyEncoding::kBigEndian ? std::endian::big : std::endian::little) {}
+
+  double value(PlyType type) {
+    if (is_ascii_) return scanner_.number();
+    if (reader_.left() < static_cast<std::size_t>(size_of(type))) fail_at_end();
+    switch (type) {
+      case PlyType::kInt8:
+        return reader_.read<std::int8_t>();
+      case PlyType::kUint8:
+        return reader_.read<std::uint8_t>();
+      case PlyType::kInt16:
+        return reader_.read<std::int16_t>();
+      case PlyType::kUint16:
+        return reader_.read<std::uint16_t>();
+      case PlyType::kInt32:
+        return reader_.read<std::int32_t>();
+      case PlyType::kUint32:
+        return reader_.read<std::uint32_t>();
+      case PlyType::kFloat32:
+        return reader_.read<float>();
+      case PlyType::kFloat64:
+        return reader_.read<double>();
+    }
+    return 0;
+  }
+
+  /// A list's length or a vertex's index. Floats are not unheard of, and every index is exact in
+  /// a double; -1 stands for what is no index at all.
+  long long integer(PlyType type) {
+    const double number = value(type);
+    constexpr double kLargest = 1e15;  // exact, and far beyond any index
+    return number == std::floor(number) && std::abs(number) <= kLargest
+               ? static_cast<long long>(number)
+               : -1;
+  }
+
+  /// Tells which element the next values belong to, for messages.
+  void begin(const PlyElement& element, long long index) {
+    element_ = &element;
+    index_ = index;
+  }
+
+  /// Where the value read last stands.
+  Place place() const {
+    if (is_ascii_) return {"line", scanner_.line()};
+    return {element_->name == "vertex" ? "vertex"
+            : element_->name == "face" ? "face"
+                                       : "element",
+            index_};
+  }
+
+ private:
+  bool is_ascii_;
+  TextScanner scanner_;
+  ByteReader reader_;
+  const PlyElement* element_ = nullptr;
+  long long index_ = 0;
+
+  [[noreturn]] void fail_at_end() const {
+    throw InputError("truncated",
+                     prefix(place()) + "the file ends here, but its header announces " +
+                         std::to_string(element_->count) + " of element " + quoted(element_->name));
+  }
+};
+
+/// What becomes of a property's values.
+enum class Role { kX, kY, kZ, kCorners, kSkipped };
+
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+  if (element.name == "vertex" && !property.count_type) {
+    if (property.name == "x") return Role::kX;
+    if (property.name == "y") return Role::kY;
+    if (property.name == "z") return Role::kZ;
+  }
+  if (element.name == "face" && property.count_type &&
+      (property.name == "vertex_indices" || property.name == "vertex_index")) {
+    return Role::kCorners;
+  }
+  return Role::kSkipped;
+}
+
+std::vector<Role> roles_of(const PlyElement& element) {
+  std::vector<Role> roles;
+  for (const PlyProperty& property : element.properties) {
+    roles.push_back(role_of(element, property));
+  }
+  const auto require = [&](Role role, const char* name) {
+    if (std::count(roles.begin(), roles.end(), role) == 1) return;
+    throw InputError("bad-header",
+                     "element " + quoted(element.name) + " needs one property " + name);
+  };
+  if (element.name == "vertex") {
+    require(Role::kX, "'x'");
+    require(Role::kY, "'y'");
+    require(Role::kZ, "'z'");
+  } else if (element.name == "face") {
+    require(Role::kCorners, "'vertex_indices' that is a list");
+  }
+  return roles;
+}
+
+void read_list(PlyData& data, const PlyProperty& property, Role role, SoupBuilder& builder) {
+  const long long count = data.integer(*property.count_type);
+  for (long long i = 0; i < count; ++i) {
+    const long long value = data.integer(property.type);
+    if (role == Role::kCorners) builder.add_corner(value);
+  }
+}
+
+void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder) {
+  const std::vector<Role> roles = roles_of(element);
+  // Without properties an element has no bytes, and its count may be anything.
+  if (element.properties.empty()) return;
+  for (long long index = 0; index < element.count; ++index) {
+    data.begin(element, index);
+    Vec3 position = Vec3::Zero();
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (property.count_type) {
+        read_list(data, property, roles[p], builder);
+        continue;
+      }
+      const double value = data.value(property.type);
+      if (roles[p] <= Role::kZ) position[static_cast<int>(roles[p])] = value;
+    }
+    if (element.name == "vertex") builder.add_vertex(position, data.place());
+    if (element.name == "face") builder.end_face(data.place());
+  }
+}
+
+}  // namespace
+
+PolygonSoup read_ply(std::span<const std::byte> bytes) {
+  TextScanner scanner(bytes);
+  const PlyHeader header = read_ply_header(scanner);
+  PlyData data(scanner, bytes, header.encoding);
+  SoupBuilder builder(0);
+  for (const PlyElement& element : header.elements) read_element(data, element, builder);
+  return builder.finish();
+}
+
+}  // namespace foldwright

@@ -1,0 +1,48 @@
+#include "mesh/soup_builder.h"
+
+#include <utility>
+
+#include "mesh/input_error.h"
+
+namespace foldwright {
+
+std::string prefix(const Place& place) {
+  return place.unit + (" " + std::to_string(place.number)) + ": ";
+}
+
+void SoupBuilder::add_vertex(const Vec3& position, const Place& place) {
+  if (!position.allFinite()) {
+    throw InputError("not-finite", prefix(place) + "a coordinate is not a finite number");
+  }
+  soup_.positions.push_back(position);
+}
+
+void SoupBuilder::end_face(const Place& place) {
+  soup_.first_corner.push_back(static_cast<int>(corners_.size()));
+  places_.push_back(place);
+}
+
+PolygonSoup SoupBuilder::finish() {
+  if (soup_.face_count() == 0) {
+    throw InputError("no-faces", vertex_count() == 0
+                                     ? "the file has neither vertices nor faces"
+                                     : "the file has vertices but no faces; points and lines alone "
+                                       "cannot be unfolded");
+  }
+  soup_.corners.reserve(corners_.size());
+  for (int f = 0; f < soup_.face_count(); ++f) {
+    for (int i = soup_.first_corner[f]; i < soup_.first_corner[f + 1]; ++i) {
+      const long long index = corners_[i] - first_index_;
+      if (index < 0 || index >= vertex_count()) {
+        throw InputError("bad-index", prefix(places_[f]) + "face refers to vertex " +
+                                          std::to_string(corners_[i]) + ", but the file has " +
+                                          std::to_string(vertex_count()) + " vertices" +
+                                          (first_index_ == 0 ? ", counted from 0" : ""));
+      }
+      soup_.corners.push_back(static_cast<int>(index));
+    }
+  }
+  return std::move(soup_);
+}
+
+}  // namespace foldwright

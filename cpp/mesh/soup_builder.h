@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/polygon_soup.h"
+
+namespace foldwright {
+
+/// Where something stands in a file, for messages: "line 23" or "triangle 7".
+struct Place {
+  const char* unit;
+  long long number;
+};
+
+/// "line 23: "
+std::string prefix(const Place& place);
+
+/// Collects what a reader finds and checks it, so that all formats fail with the same sentences.
+class SoupBuilder {
+ public:
+  /// `first_index`: the number of the first vertex in the format, 0 or 1.
+  explicit SoupBuilder(int first_index) : first_index_(first_index) {}
+
+  /// \throw InputError ("not-finite") when a coordinate is NaN or infinite
+  void add_vertex(const Vec3& position, const Place& place);
+  /// Adds a corner to the face being collected; `index` counts vertices as the format does. Whether
+  /// the vertex exists is checked by `finish`, since it may come later in the file.
+  void add_corner(long long index) { corners_.push_back(index); }
+  /// Ends the face being collected, with as many corners as were added.
+  void end_face(const Place& place);
+  void note(Repair repair) { soup_.repairs.push_back(std::move(repair)); }
+
+  int vertex_count() const { return static_cast<int>(soup_.positions.size()); }
+
+  /// \throw InputError ("bad-index", "no-faces") naming the place
+  PolygonSoup finish();
+
+ private:
+  int first_index_;
+  PolygonSoup soup_;
+  std::vector<long long> corners_;
+  std::vector<Place> places_;  // per face
+};
+
+}  // namespace foldwright

@@ -1,0 +1,231 @@
+#include "mesh/text_scanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "mesh/input_error.h"
+
+namespace foldwright {
+namespace {
+
+bool is_line_break(char c) { return c == '\n' || c == '\r'; }
+
+// Control characters count as blanks, so that stray NULs do not glue words together.
+bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' && !is_line_break(c); }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string line_prefix(int line) { return "line " + std::to_string(line) + ": "; }
+
+/// Digits and decimal exponent of a number: value = digits * 10^exponent.
+struct Decimal {
+  bool negative = false;
+  std::string digits;  // without leading zeros
+  long long exponent = 0;
+};
+
+/// Exponents saturate here: beyond any double, yet far from overflow when digits shift them.
+constexpr long long kExponentLimit = 1'000'000'000;
+
+/// Reads "e-12" at the end of a number into `exponent`; false when it is malformed.
+bool parse_exponent(std::string_view word, long long& exponent) {
+  if (word.empty()) return true;
+  if (word.front() != 'e' && word.front() != 'E') return false;
+  const std::optional<long long> value = parse_integer(word.substr(1));
+  if (!value) return false;
+  exponent += std::clamp(*value, -kExponentLimit, kExponentLimit);
+  return true;
+}
+
+std::optional<Decimal> parse_decimal(std::string_view word) {
+  // No double, nor the middle between two, has more than 768 significant digits: one more digit
+  // that tells whether something follows makes the rounding right.
+  constexpr std::size_t kMaxDigits = 768;
+  Decimal decimal;
+  std::size_t i = 0;
+  if (i < word.size() && (word[i] == '-' || word[i] == '+')) decimal.negative = word[i++] == '-';
+  bool seen_digit = false;
+  bool seen_point = false;
+  bool rest_is_zero = true;
+  for (; i < word.size(); ++i) {
+    if (word[i] == '.' && !seen_point) {
+      seen_point = true;
+      continue;
+    }
+    if (!is_digit(word[i])) break;
+    seen_digit = true;
+    if (seen_point) --decimal.exponent;
+    if (decimal.digits.empty() && word[i] == '0') continue;
+    if (decimal.digits.size() < kMaxDigits) {
+      decimal.digits += word[i];
+    } else {
+      ++decimal.exponent;
+      rest_is_zero = rest_is_zero && word[i] == '0';
+    }
+  }
+  if (!rest_is_zero) {
+    decimal.digits += '1';
+    --decimal.exponent;
+  }
+  if (!seen_digit || !parse_exponent(word.substr(i), decimal.exponent)) return std::nullopt;
+  return decimal;
+}
+
+double value_of(const Decimal& decimal) {
+  if (decimal.digits.empty()) return 0;
+  // Both factors are exact up to these bounds, so that one correctly rounded operation gives the
+  // nearest double (Clinger 1990). Nearly every number in a model file takes this way.
+  constexpr std::size_t kExactDigits = 15;
+  constexpr int kExactPower = 22;
+  static constexpr double kPowers[kExactPower + 1] = {
+      1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  if (decimal.digits.size() <= kExactDigits && std::abs(decimal.exponent) <= kExactPower) {
+    long long mantissa = 0;
+    for (const char digit : decimal.digits) mantissa = 10 * mantissa + (digit - '0');
+    const double value = static_cast<double>(mantissa);
+    return decimal.exponent < 0 ? value / kPowers[-decimal.exponent]
+                                : value * kPowers[decimal.exponent];
+  }
+  // strtod expects the locale's decimal point; a number without any has no such trouble.
+  const std::string text = decimal.digits + 'e' + std::to_string(decimal.exponent);
+  return std::strtod(text.c_str(), nullptr);
+}
+
+/// "nan", "-inf", "1.#QNAN" and the like.
+std::optional<double> parse_non_finite(std::string_view word) {
+  if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
+  const std::string lower = lower_case(word);
+  if (lower == "inf" || lower == "infinity" || lower.starts_with("1.#inf")) {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (lower == "nan" || lower.starts_with("nan(") || lower.starts_with("1.#")) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void fail_at_end(int line) {
+  throw InputError("truncated", line_prefix(line) + "the file ends where a number is expected");
+}
+
+}  // namespace
+
+TextScanner::TextScanner(std::span<const std::byte> bytes, LineContinuation continuation)
+    : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
+      continuation_(continuation) {
+  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;
+}
+
+void TextScanner::skip_line_break() {
+  if (text_.substr(position_).starts_with("\r\n")) ++position_;
+  ++position_;
+  ++line_;
+}
+
+bool TextScanner::at_continuation() const {
+  return continuation_ == LineContinuation::kBackslash && text_[position_] == '\\' &&
+         position_ + 1 < text_.size() && is_line_break(text_[position_ + 1]);
+}
+
+std::string_view TextScanner::word_in_line() {
+  while (!at_end() && (is_blank(text_[position_]) || at_continuation())) {
+    if (text_[position_++] == '\\') skip_line_break();
+  }
+  if (!at_end() && text_[position_] == '#') {
+    while (!at_end() && !is_line_break(text_[position_])) ++position_;
+  }
+  const std::size_t begin = position_;
+  while (!at_end() && !is_blank(text_[position_]) && !is_line_break(text_[position_]) &&
+         !at_continuation()) {
+    ++position_;
+  }
+  return text_.substr(begin, position_ - begin);
+}
+
+std::string_view TextScanner::word() {
+  std::string_view found = word_in_line();
+  while (found.empty() && next_line()) found = word_in_line();
+  return found;
+}
+
+bool TextScanner::next_line() {
+  while (!at_end() && !is_line_break(text_[position_])) {
+    if (at_continuation()) {
+      ++position_;
+      skip_line_break();
+    } else {
+      ++position_;
+    }
+  }
+  if (at_end()) return false;
+  skip_line_break();
+  return !at_end();
+}
+
+double TextScanner::number() {
+  const std::string_view found = word();
+  if (found.empty()) fail_at_end(line_);
+  return number_of(found, line_);
+}
+
+long long TextScanner::integer() {
+  const std::string_view found = word();
+  if (found.empty()) fail_at_end(line_);
+  return integer_of(found, line_);
+}
+
+std::optional<double> parse_number(std::string_view word) {
+  const std::optional<Decimal> decimal = parse_decimal(word);
+  if (!decimal) return parse_non_finite(word);
+  const double magnitude = value_of(*decimal);
+  return decimal->negative ? -magnitude : magnitude;
+}
+
+std::optional<long long> parse_integer(std::string_view word) {
+  constexpr long long kLimit = 1'000'000'000'000'000;
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.remove_prefix(1);
+  if (word.empty()) return std::nullopt;
+  long long value = 0;
+  for (const char c : word) {
+    if (!is_digit(c)) return std::nullopt;
+    value = std::min(10 * value + (c - '0'), kLimit);
+  }
+  return negative ? -value : value;
+}
+
+double number_of(std::string_view word, int line) {
+  if (const std::optional<double> value = parse_number(word)) return *value;
+  if (word.find(',') != std::string_view::npos) {
+    throw InputError("bad-number", line_prefix(line) + quoted(word) +
+                                       " has a comma; numbers need a decimal point");
+  }
+  throw InputError("bad-number",
+                   line_prefix(line) + quoted(word) + " stands where a number is expected");
+}
+
+long long integer_of(std::string_view word, int line) {
+  if (const std::optional<long long> value = parse_integer(word)) return *value;
+  throw InputError("bad-number",
+                   line_prefix(line) + quoted(word) + " stands where a whole number is expected");
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kLongest = 24;  // enough to recognise the place
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongest)) text += c > ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > kLongest ? "...'" : "'");
+}
+
+std::string lower_case(std::string_view word) {
+  std::string lower(word);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+}  // namespace foldwright
