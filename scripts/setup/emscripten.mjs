@@ -15,7 +15,7 @@ const packages = ['emscripten', 'binaryen', 'node-acorn', 'libc6', 'libstdc++6',
 // Most of the package's 1.7 GB are tests, documents and library variants that nothing here links.
 const unwanted = [
   ...['test', 'docs', 'media', '*.html'].map((name) => `./usr/share/emscripten/${name}`),
-  ...['lto', 'pic', 'thinlto', 'libGL*', 'libSDL*', '*-ww*', '*wasmfs*', '*-mt*'].map(
+  ...['lto', 'pic', 'thinlto', 'libSDL*', '*-emu*', '*full_es3*', '*-ofb*', '*-ww*', '*wasmfs*', '*-mt*'].map(
     (name) => `./usr/share/emscripten/cache/sysroot/lib/wasm32-emscripten/${name}`,
   ),
   './usr/share/emscripten/cache/sysroot/lib/wasm64-emscripten',
@@ -63,6 +63,8 @@ function installPrivately() {
   }
   rmSync(downloads, { recursive: true });
 
+  // Emscripten's `.js` tools are CommonJS; without this they would count as part of our package of ES modules.
+  writeFileSync(join(emsdk, 'package.json'), '{ "type": "commonjs" }\n');
   const binaryen = wrapBinaryen(runtime);
   // A link, not NODE_PATH: the tools that need acorn are ES modules.
   const modules = join(emsdk, 'node_modules');
