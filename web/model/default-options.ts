@@ -1,0 +1,17 @@
+import type { JobOptions } from './job.js';
+
+/** What a job does when nothing is asked for: the defaults of the command line and of the studio. */
+export const defaultOptions: Readonly<JobOptions> = {
+  parts: 0,
+  heuristic: 'steepest',
+  segment: 'merge',
+  runs: 400,
+  // Proxies of 500 to 1000 faces segment as well as anything larger.
+  proxy: 1000,
+  seed: 1,
+  faces: 0,
+  paperWidth: 210,
+  paperHeight: 297,
+  orientation: 'auto',
+  margin: 10,
+};
