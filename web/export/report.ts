@@ -1,0 +1,116 @@
+import type { JobOptions, JobResult, Model, Notice, Piece, Repair } from '../model/job.js';
+import type { StageSeconds } from '../model/stage-seconds.js';
+
+/** What a report is made of. */
+export interface ReportInput {
+  /** Version of the package. */
+  version: string;
+  /** The options as a person would write them, by name. */
+  options: Record<string, unknown>;
+  job: JobOptions;
+  /** Every file written, as named by the user. */
+  files: string[];
+  result: JobResult;
+  seconds: StageSeconds;
+}
+
+export interface PieceReport {
+  id: number;
+  part: number;
+  faces: number;
+  cause: 'part' | 'no-net' | 'no-motion' | 'sheet';
+  overlaps: number;
+  width_mm: number;
+  height_mm: number;
+  foldable: 'line' | 'waypoints' | 'no' | 'unchecked';
+  certified: boolean;
+}
+
+/** What a run did, for programs; `report.schema.json` describes it field by field. */
+export interface Report {
+  version: string;
+  seed: number;
+  options: Record<string, unknown>;
+  files: string[];
+  model: { faces: number; vertices: number; components: number; repairs: Repair[] };
+  parts_requested: number | 'auto';
+  parts: number;
+  pieces: PieceReport[];
+  segmentation: number[];
+  size_mm: number[];
+  sheets: number;
+  efficiency: number;
+  flaps: {
+    wanted: number;
+    full: number;
+    shrunk: number;
+    missing: { narrow: number; thin: number; blocked: number; short: number };
+  };
+  ids: { printed: number; skipped: number[] };
+  notices: Notice[];
+  seconds: StageSeconds;
+  search: { generations: number; moves: number };
+  result_hash: string;
+}
+
+function pieceReport(piece: Piece): PieceReport {
+  return {
+    id: piece.id,
+    part: piece.part,
+    faces: piece.sources.length,
+    cause: piece.cause,
+    overlaps: piece.overlaps,
+    width_mm: piece.width,
+    height_mm: piece.height,
+    // No motion is looked for, so none is claimed.
+    foldable: 'unchecked',
+    certified: false,
+  };
+}
+
+/** Extents of the model along x, y and z. */
+function sizeOf({ vertices }: Model): number[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  vertices.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3]!, value);
+    high[i % 3] = Math.max(high[i % 3]!, value);
+  });
+  return high.map((value, axis) => value - low[axis]!);
+}
+
+/** The report of a run. Flaps, edge ids and motions are not made yet and are reported as none. */
+export function makeReport(input: ReportInput): Report {
+  const { job, result } = input;
+  const { model } = result;
+  return {
+    version: input.version,
+    seed: job.seed,
+    options: input.options,
+    files: input.files,
+    model: {
+      faces: model.faces.length / 3,
+      vertices: model.vertices.length / 3,
+      components: model.components,
+      repairs: result.repairs,
+    },
+    parts_requested: job.parts === 0 ? 'auto' : job.parts,
+    parts: result.parts,
+    pieces: result.pieces.map(pieceReport),
+    segmentation: Array.from(result.segmentation),
+    size_mm: sizeOf(model),
+    sheets: result.sheets.length,
+    efficiency: result.efficiency,
+    flaps: {
+      wanted: 0,
+      full: 0,
+      shrunk: 0,
+      missing: { narrow: 0, thin: 0, blocked: 0, short: 0 },
+    },
+    ids: { printed: 0, skipped: [] },
+    notices: result.notices,
+    seconds: input.seconds,
+    search: result.search,
+    result_hash: result.hash,
+  };
+}

@@ -1,0 +1,22 @@
+import { strToU8, zipSync } from 'fflate';
+import type { JobResult } from '../model/job.js';
+import type { DrawingOptions } from './sheet-drawing.js';
+import { sheetName } from './sheet-name.js';
+import { writeSvg } from './svg.js';
+
+// The first day that a zip archive can name: the same result gives the same bytes.
+const noDate = new Date(1980, 0, 1);
+
+/** All sheets as SVG files in one zip archive; `name` (with its ending .svg) names the files. */
+export function writeSvgZip(
+  result: JobResult,
+  name: string,
+  options: DrawingOptions = {},
+): Uint8Array {
+  const count = result.sheets.length;
+  const files = result.sheets.map((_, sheet) => [
+    sheetName(name, sheet, count),
+    strToU8(writeSvg(result, sheet, options)),
+  ]);
+  return zipSync(Object.fromEntries(files), { mtime: noDate });
+}
