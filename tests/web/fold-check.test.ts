@@ -1,0 +1,144 @@
+import { describe, expect, it } from 'vitest';
+import { writeFold } from '../../web/export/fold.js';
+import type { JobResult } from '../../web/model/job.js';
+import {
+  boxAndLidResult,
+  cubeResult,
+  layPiece,
+  makeResult,
+  saddle,
+  slitResult,
+} from './fixtures.js';
+import { checkFold } from './fold-check.js';
+import { parseFold, type FoldFile } from './fold-file.js';
+
+/** The violations of a net after one change to it. */
+function broken(change: (file: FoldFile) => void, result: JobResult = cubeResult()): string {
+  const file = parseFold(writeFold(result));
+  expect(checkFold(file)).toEqual([]);
+  change(file);
+  return checkFold(file).join('\n');
+}
+
+const net = (file: FoldFile) => file.file_frames[0]!;
+const foldedEdge = (file: FoldFile) => net(file).edges_assignment.indexOf('M');
+
+describe('checkFold catches', () => {
+  it('a mirrored net', () => {
+    const mirror = (file: FoldFile) => {
+      for (const point of net(file).vertices_coords) point[0] = -point[0]!;
+    };
+    expect(broken(mirror)).toMatch(/shows the inside/);
+  });
+
+  it('a mirrored net whose faces are turned around as well', () => {
+    const mirror = (file: FoldFile) => {
+      for (const point of net(file).vertices_coords) point[0] = -point[0]!;
+      for (const face of net(file).faces_vertices) face.reverse();
+    };
+    expect(broken(mirror)).not.toBe('');
+  });
+
+  it('overlapping faces', () => {
+    const fan = Array.from({ length: 7 }, (_, i): [number, number] => [i, i + 1]);
+    const result = makeResult(saddle, [layPiece(saddle, 0, fan)]);
+    expect(checkFold(parseFold(writeFold(result))).join('\n')).toMatch(/faces 0 and 5 overlap/);
+  });
+
+  it('a wrong sign', () => {
+    const flip = (file: FoldFile) => {
+      const edge = foldedEdge(file);
+      net(file).edges_foldAngle[edge] = 90;
+      net(file).edges_assignment[edge] = 'V';
+    };
+    expect(broken(flip)).toMatch(/folds by 90 instead of -90/);
+  });
+
+  it('an assignment that its angle denies', () => {
+    const rename = (file: FoldFile) => {
+      net(file).edges_assignment[foldedEdge(file)] = 'V';
+    };
+    expect(broken(rename)).toMatch(/is assigned V/);
+  });
+
+  it('a fold that is called flat', () => {
+    const rename = (file: FoldFile) => {
+      net(file).edges_assignment[foldedEdge(file)] = 'F';
+    };
+    expect(broken(rename)).toMatch(/is assigned F/);
+  });
+
+  it('a missing face', () => {
+    const drop = (file: FoldFile) => {
+      file.file_frames.splice(1, 1);
+    };
+    expect(broken(drop, boxAndLidResult())).toMatch(/face 2 of the model is in the nets 0 times/);
+  });
+
+  it('a doubled face', () => {
+    const double = (file: FoldFile) => {
+      file.file_frames.push({ ...file.file_frames[1]!, 'foldwright:piece': 2 });
+    };
+    expect(broken(double, boxAndLidResult())).toMatch(/face 2 of the model is in the nets 2 times/);
+  });
+
+  it('two faces with each other’s source', () => {
+    const swap = (file: FoldFile) => {
+      const sources = net(file)['faces_foldwright:source'];
+      [sources[0], sources[5]] = [sources[5]!, sources[0]!];
+    };
+    expect(broken(swap)).toMatch(/share no such edge/);
+  });
+
+  it('a stretched face', () => {
+    const stretch = (file: FoldFile) => {
+      net(file).vertices_coords[0]![0]! += 1e-3;
+    };
+    expect(broken(stretch)).toMatch(/differs from its original/);
+  });
+
+  it('a net in two pieces', () => {
+    const cut = (file: FoldFile) => {
+      const edge = foldedEdge(file);
+      net(file).edges_assignment[edge] = 'B';
+      net(file).edges_foldAngle[edge] = null;
+    };
+    expect(broken(cut)).toMatch(/falls into 2 pieces/);
+  });
+
+  it('an edge that is missing', () => {
+    const drop = (file: FoldFile) => {
+      net(file).edges_vertices.pop();
+      net(file).edges_assignment.pop();
+      net(file).edges_foldAngle.pop();
+    };
+    expect(broken(drop)).toMatch(/of a face is no edge/);
+  });
+
+  it('folds that close a loop', () => {
+    // The slit of the bent sheet glued shut, although its faces are connected already.
+    const glue = (file: FoldFile) => {
+      const frame = net(file);
+      const at = frame.vertices_coords.map((point) => point.map((x) => x.toFixed(6)).join());
+      const first = frame.vertices_coords.map((_, vertex) => at.indexOf(at[vertex]!));
+      frame.edges_vertices = frame.edges_vertices.map((edge) => edge.map((v) => first[v]!));
+      frame.faces_vertices = frame.faces_vertices.map((face) => face.map((v) => first[v]!));
+      const keys = frame.edges_vertices.map((edge) => [...edge].sort((a, b) => a - b).join());
+      const copy = keys.findIndex((key, i) => keys.indexOf(key) < i);
+      const lip = keys.indexOf(keys[copy]!);
+      frame.edges_assignment[lip] = 'V';
+      frame.edges_foldAngle[lip] = 90;
+      for (const list of [frame.edges_vertices, frame.edges_assignment, frame.edges_foldAngle]) {
+        list.splice(copy, 1);
+      }
+    };
+    expect(broken(glue, slitResult())).toMatch(/close 1 loops/);
+  });
+
+  it('a wrong unit', () => {
+    const rename = (file: FoldFile) => {
+      net(file).frame_unit = 'cm';
+    };
+    expect(broken(rename)).toMatch(/not mm/);
+  });
+});

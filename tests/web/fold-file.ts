@@ -1,0 +1,28 @@
+/** The parts of a FOLD file that the checks read; nothing here comes from the exporter. */
+export interface NetFrame {
+  frame_classes: string[];
+  frame_unit: string;
+  vertices_coords: number[][];
+  edges_vertices: number[][];
+  edges_assignment: string[];
+  edges_foldAngle: (number | null)[];
+  faces_vertices: number[][];
+  'faces_foldwright:source': number[];
+  'foldwright:piece': number;
+  'foldwright:part': number;
+}
+
+export interface FoldFile {
+  file_spec: number;
+  file_creator: string;
+  file_classes: string[];
+  frame_classes: string[];
+  frame_unit: string;
+  vertices_coords: number[][];
+  faces_vertices: number[][];
+  file_frames: NetFrame[];
+}
+
+export function parseFold(text: string): FoldFile {
+  return JSON.parse(text) as FoldFile;
+}

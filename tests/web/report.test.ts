@@ -1,0 +1,45 @@
+import { describe, expect, it } from 'vitest';
+import { makeReport, type Report } from '../../web/export/report.js';
+import { defaultOptions } from '../../web/model/default-options.js';
+import { boxAndLidResult } from './fixtures.js';
+import { schemaErrors } from './report-schema.js';
+
+function reportOf(parts: number): Report {
+  return makeReport({
+    version: '0.1.0',
+    options: { parts: parts || 'auto', seed: 1 },
+    job: { ...defaultOptions, parts },
+    files: ['out-1.svg', 'out-2.svg', 'report.json'],
+    result: boxAndLidResult(),
+    seconds: { read: 0.1, learn: 1, cluster: 0.2, search: 0.3, fold: 0, paper: 0.1, total: 1.7 },
+  });
+}
+
+describe('makeReport', () => {
+  it('is valid', () => {
+    expect(schemaErrors(reportOf(0))).toEqual([]);
+  });
+
+  it('tells what was asked for and what came out', () => {
+    expect(reportOf(0).parts_requested).toBe('auto');
+    const report = reportOf(2);
+    expect(report.parts_requested).toBe(2);
+    expect(report.parts).toBe(2);
+    expect(report.size_mm).toEqual([40, 40, 40]);
+    expect(report.pieces.map(({ faces }) => faces)).toEqual([10, 2]);
+    expect(report.sheets).toBe(2);
+    expect(report.result_hash).toBe('0123456789abcdef');
+  });
+
+  it('claims nothing that was not looked for', () => {
+    for (const piece of reportOf(2).pieces) {
+      expect(piece).toMatchObject({ foldable: 'unchecked', certified: false });
+    }
+  });
+
+  it('is refused by the schema when a field is missing or unknown', () => {
+    const { seed: _, ...missing } = reportOf(2);
+    expect(schemaErrors(missing)).toHaveLength(1);
+    expect(schemaErrors({ ...reportOf(2), extra: 1 })).toHaveLength(1);
+  });
+});

@@ -1,0 +1,144 @@
+import { XMLParser } from 'fast-xml-parser';
+import { describe, expect, it } from 'vitest';
+import { writeSvg } from '../../web/export/svg.js';
+import type { JobResult } from '../../web/model/job.js';
+import { boxAndLidResult, cubeResult, slitResult, tetrahedronResult } from './fixtures.js';
+import { expectGolden } from './golden.js';
+
+interface Path {
+  d: string;
+  stroke: string;
+  'stroke-dasharray'?: string;
+  'data-piece': string;
+}
+
+interface Group {
+  id: string;
+  path?: Path[];
+  text?: { '#text': string; x: string; y: string; 'font-size': string }[];
+}
+
+interface Drawing {
+  width: string;
+  height: string;
+  viewBox: string;
+  g: Group[];
+}
+
+function parse(text: string): Drawing {
+  const parser = new XMLParser({
+    ignoreAttributes: false,
+    attributeNamePrefix: '',
+    isArray: (name) => ['g', 'path', 'text'].includes(name),
+  });
+  return (parser.parse(text) as { svg: Drawing }).svg;
+}
+
+function groupOf(drawing: Drawing, id: string): Group {
+  return drawing.g.find((group) => group.id === id)!;
+}
+
+/** The walks of a path made of absolute M, L and Z only. */
+function walksOf(path: Path): number[][][] {
+  return path.d
+    .split('M')
+    .slice(1)
+    .map((walk) =>
+      walk
+        .replace('Z', '')
+        .split('L')
+        .map((point) => point.split(' ').map(Number)),
+    );
+}
+
+function walks(drawing: Drawing, id: string): number[][][] {
+  return (groupOf(drawing, id).path ?? []).flatMap(walksOf);
+}
+
+function areaOf(walk: number[][]): number {
+  return (
+    walk.reduce((sum, [x, y], i) => {
+      const [u, v] = walk[(i + 1) % walk.length]!;
+      return sum + x! * v! - u! * y!;
+    }, 0) / 2
+  );
+}
+
+const allSheets = (result: JobResult) => result.sheets.map((_, i) => parse(writeSvg(result, i)));
+
+describe('writeSvg', () => {
+  it('has true size, its groups in order, and no transforms', () => {
+    const text = writeSvg(cubeResult(), 0);
+    const drawing = parse(text);
+    expect([drawing.width, drawing.height]).toEqual(['210mm', '297mm']);
+    expect(drawing.viewBox).toBe('0 0 210 297');
+    expect(drawing.g.map(({ id }) => id)).toEqual([
+      'texture',
+      'guide',
+      'flap',
+      'fold-mountain',
+      'fold-valley',
+      'id',
+      'cut',
+    ]);
+    expect(text).not.toMatch(/transform|style|class/);
+  });
+
+  it('cuts out exactly the area of the model', () => {
+    const drawings = allSheets(boxAndLidResult());
+    // Flipped once, a counter-clockwise walk turns clockwise, and its area negative.
+    const area = drawings.flatMap((drawing) => walks(drawing, 'cut')).map(areaOf);
+    expect(area).toHaveLength(2);
+    expect(-area.reduce((sum, value) => sum + value)).toBeCloseTo(6 * 40 * 40, 1);
+  });
+
+  it('draws the folds of the cube but not the diagonals of its squares', () => {
+    const mountains = walks(parse(writeSvg(cubeResult(), 0)), 'fold-mountain');
+    expect(mountains).toHaveLength(5);
+    for (const [from, to] of mountains) {
+      expect(Math.hypot(from![0]! - to![0]!, from![1]! - to![1]!)).toBeCloseTo(40, 3);
+    }
+  });
+
+  it('walks a slit there and back', () => {
+    const drawing = parse(writeSvg(slitResult(), 0));
+    const [walk] = walks(drawing, 'cut');
+    expect(walk).toHaveLength(6);
+    expect(-areaOf(walk!)).toBeCloseTo(2 * 30 * 30, 1);
+    const points = walk!.map((point) => point.join());
+    expect(new Set(points).size).toBe(5);
+    expect(walks(drawing, 'fold-valley')).toHaveLength(1);
+  });
+
+  it('leaves flat folds out by their angle', () => {
+    const folds = walks(parse(writeSvg(cubeResult(), 0, { flatFold: 91 })), 'fold-mountain');
+    expect(folds).toEqual([]);
+  });
+
+  it('tells mountains, valleys and cuts apart without colour', () => {
+    const drawing = parse(writeSvg(slitResult(), 0));
+    const cut = groupOf(drawing, 'cut').path![0]!;
+    const valley = groupOf(drawing, 'fold-valley').path![0]!;
+    const mountain = groupOf(parse(writeSvg(cubeResult(), 0)), 'fold-mountain').path![0]!;
+    expect(cut['stroke-dasharray']).toBeUndefined();
+    expect(mountain['stroke-dasharray']!.split(' ')).toHaveLength(2);
+    expect(valley['stroke-dasharray']!.split(' ')).toHaveLength(4);
+  });
+
+  it('names each piece inside one of its faces', () => {
+    const [box, lid] = allSheets(boxAndLidResult());
+    expect(groupOf(box!, 'id').text!.map((label) => label['#text'])).toEqual(['A']);
+    expect(groupOf(lid!, 'id').text!.map((label) => label['#text'])).toEqual(['B']);
+  });
+
+  it('leaves the name out where no face has room for it', () => {
+    const small = tetrahedronResult();
+    for (const piece of small.pieces) piece.vertices = piece.vertices.map((value) => value / 20);
+    expect(groupOf(parse(writeSvg(small, 0)), 'id').text).toBeUndefined();
+  });
+
+  it('keeps the format of the files', () => {
+    expectGolden('box-and-lid-1.svg', writeSvg(boxAndLidResult(), 0));
+    expectGolden('slit.svg', writeSvg(slitResult(), 0));
+  });
+});
