@@ -244,27 +244,4 @@ DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels) {
   return part;
 }
 
-std::vector<int> panel_components(const DualGraph& graph) {
-  std::vector<int> component(graph.panel_count(), -1);
-  std::vector<int> stack;
-  int count = 0;
-  for (int seed = 0; seed < graph.panel_count(); ++seed) {
-    if (component[seed] != -1) continue;
-    component[seed] = count;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const int panel = stack.back();
-      stack.pop_back();
-      for (const int h : graph.hinges_of(panel)) {
-        const int next = graph.hinges[h].other(panel);
-        if (component[next] != -1) continue;
-        component[next] = count;
-        stack.push_back(next);
-      }
-    }
-    ++count;
-  }
-  return component;
-}
-
 }  // namespace foldwright

@@ -70,7 +70,4 @@ DualGraph build_dual_graph(const Mesh& mesh);
 /// The part of `graph` made of `panels` (ascending), with the hinges between them.
 DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels);
 
-/// Connected components: per panel a number from 0, by lowest panel.
-std::vector<int> panel_components(const DualGraph& graph);
-
 }  // namespace foldwright

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/dual_graph.h"
+
+namespace foldwright {
+
+/// The part of each panel, from 0 without gaps.
+using Labels = std::vector<int>;
+
+/// Renumbers labels by first appearance, without gaps.
+Labels renumbered(std::span<const int> labels);
+
+/// One more than the greatest label.
+int part_count(std::span<const int> labels);
+
+/// Per panel the number of its connected piece within its part, from 0 by lowest panel.
+std::vector<int> part_pieces(const DualGraph& graph, std::span<const int> labels);
+
+}  // namespace foldwright

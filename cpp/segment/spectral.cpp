@@ -1,0 +1,105 @@
+#include "segment/spectral.h"
+
+#include <Spectra/MatOp/DenseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "segment/k_means.h"
+
+namespace foldwright {
+namespace {
+
+// An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
+constexpr int kMostEstimatedParts = 20;
+
+double power_of(double base, int exponent) {
+  double result = 1;
+  for (int i = 0; i < exponent; ++i) result *= base;
+  return result;
+}
+
+/// D^-1/2 A D^-1/2 with A = M^power, elementwise.
+Eigen::MatrixXd normalized_affinity(const FoldabilityMatrix& matrix, int power) {
+  const int n = matrix.size;
+  Eigen::MatrixXd affinity(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) affinity(i, j) = power_of(matrix(i, j), power);
+  }
+  // The diagonal is one, so no row sum is zero.
+  const Eigen::VectorXd scale = affinity.rowwise().sum().cwiseSqrt().cwiseInverse();
+  return scale.asDiagonal() * affinity * scale.asDiagonal();
+}
+
+struct Eigenpairs {
+  Eigen::VectorXd values;   ///< descending
+  Eigen::MatrixXd vectors;  ///< columns
+};
+
+Eigenpairs all_eigenpairs(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
+}
+
+/// The `count` largest eigenvalues and their vectors, each with its largest entry positive.
+Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix, int count) {
+  const int n = static_cast<int>(matrix.rows());
+  Eigenpairs pairs;
+  // Lanczos pays while few of many are wanted; 2 k + 20 basis vectors converge in a few restarts.
+  const int basis = 2 * count + 20;
+  if (basis < n) {
+    Spectra::DenseSymMatProd<double> product(matrix);
+    Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestAlge);
+    if (solver.info() == Spectra::CompInfo::Successful) {
+      pairs = {solver.eigenvalues(), solver.eigenvectors()};
+    }
+  }
+  if (pairs.values.size() == 0) pairs = all_eigenpairs(matrix);
+  pairs.values = pairs.values.head(count).eval();
+  pairs.vectors = pairs.vectors.leftCols(count).eval();
+  for (int c = 0; c < count; ++c) {
+    Eigen::Index largest = 0;
+    pairs.vectors.col(c).cwiseAbs().maxCoeff(&largest);
+    if (pairs.vectors(largest, c) < 0) pairs.vectors.col(c) *= -1;
+  }
+  return pairs;
+}
+
+/// The k with the largest drop from the k-th to the next eigenvalue.
+int largest_gap(const Eigen::VectorXd& values) {
+  int best = 1;
+  for (int k = 2; k < values.size(); ++k) {
+    if (values[k - 1] - values[k] > values[best - 1] - values[best]) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+Labels spectral_clusters(const FoldabilityMatrix& matrix, const SpectralOptions& options) {
+  const int n = matrix.size;
+  assert(n > 0 && 0 <= options.parts && options.parts <= n);
+  if (options.parts == 1 || n == 1) return Labels(n, 0);
+  if (options.parts == n) {
+    Labels each(n);
+    for (int i = 0; i < n; ++i) each[i] = i;
+    return each;
+  }
+  const int wanted = options.parts > 0 ? options.parts : std::min(kMostEstimatedParts + 1, n);
+  const Eigenpairs pairs = leading_eigenpairs(normalized_affinity(matrix, options.power), wanted);
+  const int parts = options.parts > 0 ? options.parts : largest_gap(pairs.values);
+  Eigen::MatrixXd embedding = pairs.vectors.leftCols(parts);
+  for (int i = 0; i < n; ++i) {
+    const double norm = embedding.row(i).norm();
+    if (norm > 0) embedding.row(i) /= norm;
+  }
+  return renumbered(
+      k_means(embedding, parts, {.restarts = options.restarts, .seed = options.seed}));
+}
+
+}  // namespace foldwright
