@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest';
+import { EventThrottle } from '../../web/core/event-throttle.js';
+import type { TimedEvent } from '../../web/core/protocol.js';
+import { StageClock } from '../../web/core/stage-clock.js';
+import { nextBudget } from '../../web/core/step-budget.js';
+import { buffersOf } from '../../web/core/transfer.js';
+
+describe('nextBudget', () => {
+  it('approaches ten milliseconds', () => {
+    let budget = 1000;
+    // A machine that does 250 units a millisecond.
+    for (let i = 0; i < 10; ++i) budget = nextBudget(budget, budget / 250);
+    expect(budget).toBe(2500);
+  });
+
+  it('is not misled by one long step or a clock that stands still', () => {
+    expect(nextBudget(5000, 4000)).toBe(2500);
+    expect(nextBudget(5000, 0)).toBe(10000);
+    expect(nextBudget(100, 1e6)).toBe(100);
+    expect(nextBudget(1e6, 0)).toBe(1e6);
+  });
+});
+
+describe('EventThrottle', () => {
+  const stage = (progress: number): TimedEvent => {
+    return { type: 'stage', stage: 'learn', progress, seconds: 0 };
+  };
+
+  it('keeps the latest of each kind and lets everything else pass', () => {
+    const sent: TimedEvent[] = [];
+    const throttle = new EventThrottle((event) => sent.push(event));
+    throttle.push(stage(0.1));
+    throttle.release(0);
+    throttle.push(stage(0.2));
+    throttle.push(stage(0.3));
+    throttle.push({ type: 'learned', runs: 10, of: 400 });
+    throttle.release(50);
+    throttle.push({ type: 'net', part: 0, piece: 0 });
+    expect(sent).toEqual([stage(0.1), { type: 'net', part: 0, piece: 0 }]);
+    throttle.release(100);
+    expect(sent.at(-1)).toEqual(stage(0.3));
+    throttle.flush();
+    expect(sent.at(-1)).toEqual({ type: 'learned', runs: 10, of: 400 });
+    throttle.flush();
+    expect(sent).toHaveLength(4);
+  });
+});
+
+describe('StageClock', () => {
+  it('gives the time to the stage in which it passed', () => {
+    const clock = new StageClock(1000);
+    clock.enter('read', 1000);
+    clock.enter('learn', 1500);
+    clock.enter('learn', 2500);
+    clock.enter('paper', 4000);
+    expect(clock.seconds(4250)).toEqual({
+      read: 0.5,
+      learn: 2.5,
+      cluster: 0,
+      search: 0,
+      fold: 0,
+      paper: 0.25,
+      total: 3.25,
+    });
+  });
+});
+
+describe('buffersOf', () => {
+  it('finds every buffer once', () => {
+    const shared = new Float64Array(4);
+    const value = { a: shared, list: [{ b: new Int32Array(2) }, shared.subarray(1)], text: 'x' };
+    expect(buffersOf(value)).toHaveLength(2);
+  });
+});

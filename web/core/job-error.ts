@@ -1,0 +1,14 @@
+/** A job that failed: `code` is for programs, the message is one sentence for people. */
+export class JobError extends Error {
+  override readonly name = 'JobError';
+
+  constructor(
+    readonly code: string,
+    sentence: string,
+  ) {
+    super(sentence);
+  }
+}
+
+/** The code of a job whose worker died under it. */
+export const engineDied = 'engine-died';

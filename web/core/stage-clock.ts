@@ -1,0 +1,47 @@
+import type { Stage } from '../model/job.js';
+import type { StageSeconds } from '../model/stage-seconds.js';
+
+/** Adds up the time that a job spends in each stage. All times in ms. */
+export class StageClock {
+  private readonly spent: Record<Stage, number> = {
+    read: 0,
+    learn: 0,
+    cluster: 0,
+    search: 0,
+    paper: 0,
+  };
+  private stage: Stage = 'read';
+  private last: number;
+
+  constructor(private readonly start: number) {
+    this.last = start;
+  }
+
+  /** The job is in this stage now; the time since the last call belongs to the stage before. */
+  enter(stage: Stage, now: number): void {
+    this.spent[this.stage] += now - this.last;
+    this.stage = stage;
+    this.last = now;
+  }
+
+  /** Seconds since the job began. */
+  elapsed(now: number): number {
+    return (now - this.start) / 1000;
+  }
+
+  /** Seconds of every stage, the current one up to `now`. */
+  seconds(now: number): StageSeconds {
+    this.enter(this.stage, now);
+    const { read, learn, cluster, search, paper } = this.spent;
+    return {
+      read: read / 1000,
+      learn: learn / 1000,
+      cluster: cluster / 1000,
+      search: search / 1000,
+      // No folding motion is looked for.
+      fold: 0,
+      paper: paper / 1000,
+      total: this.elapsed(now),
+    };
+  }
+}

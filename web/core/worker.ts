@@ -1,0 +1,23 @@
+/** Entry of the browser's module worker. */
+import { serveEngine } from './engine-worker.js';
+import createFoldwright from './generated/foldwright.mjs';
+import wasmAddress from './generated/foldwright.wasm?url';
+import type { Request } from './protocol.js';
+
+const channel = new MessageChannel();
+
+/** A message to oneself waits behind those already there, and unlike a timer for nothing else. */
+function pause(): Promise<void> {
+  return new Promise((resolve) => {
+    channel.port1.onmessage = () => resolve();
+    channel.port2.postMessage(null);
+  });
+}
+
+const handle = serveEngine({
+  loadEngine: () => createFoldwright({ locateFile: () => wasmAddress }),
+  post: (answer, transfer) => postMessage(answer, { transfer }),
+  pause,
+});
+
+addEventListener('message', ({ data }: MessageEvent<Request>) => handle(data));
