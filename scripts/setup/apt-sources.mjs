@@ -43,5 +43,6 @@ export function debianMirror(codename, etc = '/etc/apt') {
     if (file.endsWith('.sources')) return parseDeb822(readFileSync(file, 'utf8'));
     return file.endsWith('.list') ? parseList(readFileSync(file, 'utf8')) : [];
   });
-  return entries.find((entry) => entry.types.includes('deb') && entry.suites.includes(codename))?.uri;
+  return entries.find((entry) => entry.types.includes('deb') && entry.suites.includes(codename))
+    ?.uri;
 }

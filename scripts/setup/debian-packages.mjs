@@ -24,14 +24,21 @@ export function debianPackages({ withBrowser }) {
   const present = installedPackages();
   const missing = wanted.filter((name) => !present.has(name));
   if (missing.length === 0) return;
-  const install = ['-o', 'DPkg::Lock::Timeout=500', 'install', '-y', '--no-install-recommends', ...missing];
+  const install = [
+    '-o',
+    'DPkg::Lock::Timeout=500',
+    'install',
+    '-y',
+    '--no-install-recommends',
+    ...missing,
+  ];
   if (process.getuid() !== 0) {
     throw new SetupError(
       `packages are missing; install them, then start again:\n\n` +
         `  sudo apt-get update && sudo apt-get ${install.join(' ')}\n`,
     );
   }
-  console.log(`setup: installing ${missing.join(' ')}`);
+  console.log(`installing ${missing.join(' ')}`);
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
   run('apt-get', ['-q', '-o', 'DPkg::Lock::Timeout=500', 'update'], { env });
   run('apt-get', ['-q', ...install], { env });
@@ -49,7 +56,11 @@ function installedPackages(file = '/var/lib/dpkg/status') {
 
 /** On other systems nothing is installed: what is missing is named, and a person chooses where it comes from. */
 function requireTools({ withBrowser }) {
-  const programs = ['cmake', 'ninja', ...(withBrowser ? ['clang-format', 'qpdf', 'pdftocairo', 'chromium'] : [])];
+  const programs = [
+    'cmake',
+    'ninja',
+    ...(withBrowser ? ['clang-format', 'qpdf', 'pdftocairo', 'chromium'] : []),
+  ];
   const missing = programs.filter((name) => !isOnPath(name));
   if (!emscriptenOnPath()) missing.push('em++ (Emscripten 3.1.60 or newer)');
   if (missing.length === 0) return;

@@ -1,7 +1,16 @@
 // Emscripten, as `.toolchain/emscripten.cmake` for CMake: the one on the PATH when it is new enough, else the next
 // Debian release's package in a private prefix, since the running release's own is too old (no ES6 output for node,
 // no type declarations, half of the C++20 library).
-import { chmodSync, existsSync, mkdirSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { delimiter, dirname, join } from 'node:path';
 import { toolchain } from './paths.mjs';
 import { privateApt } from './private-apt.mjs';
@@ -15,11 +24,23 @@ const packages = ['emscripten', 'binaryen', 'node-acorn', 'libc6', 'libstdc++6',
 // Most of the package's 1.7 GB are tests, documents and library variants that nothing here links.
 const unwanted = [
   ...['test', 'docs', 'media', '*.html'].map((name) => `./usr/share/emscripten/${name}`),
-  ...['lto', 'pic', 'thinlto', 'libSDL*', '*-emu*', '*full_es3*', '*-ofb*', '*-ww*', '*wasmfs*', '*-mt*'].map(
-    (name) => `./usr/share/emscripten/cache/sysroot/lib/wasm32-emscripten/${name}`,
-  ),
+  ...[
+    'lto',
+    'pic',
+    'thinlto',
+    'libSDL*',
+    '*-emu*',
+    '*full_es3*',
+    '*-ofb*',
+    '*-ww*',
+    '*wasmfs*',
+    '*-mt*',
+  ].map((name) => `./usr/share/emscripten/cache/sysroot/lib/wasm32-emscripten/${name}`),
   './usr/share/emscripten/cache/sysroot/lib/wasm64-emscripten',
 ];
+
+// Unpacked to `emsdk/emscripten/copyright`; the notices of the built package quote it.
+const licences = './usr/share/doc/emscripten/copyright';
 
 /** Root folder of an Emscripten >= 3.1.60 on the PATH, or null. */
 export function emscriptenOnPath() {
@@ -39,12 +60,25 @@ const cmakePlatform = 'cmake/Modules/Platform/Emscripten.cmake';
 export function emscripten() {
   const found = emscriptenOnPath();
   if (!found) {
-    once('emscripten', fingerprint(suite, toolchain, process.execPath), installPrivately);
+    const what = fingerprint(
+      suite,
+      toolchain,
+      process.execPath,
+      ...packages,
+      ...unwanted,
+      licences,
+    );
+    once('emscripten', what, installPrivately, [join(toolchain, 'emsdk/em++')]);
   }
   const platform = join(found ?? join(toolchain, 'emsdk'), cmakePlatform);
-  once('emscripten-cmake', platform, () => {
-    writeFileSync(join(toolchain, 'emscripten.cmake'), `include("${platform}")\n`);
-  });
+  once(
+    'emscripten-cmake',
+    platform,
+    () => {
+      writeFileSync(join(toolchain, 'emscripten.cmake'), `include("${platform}")\n`);
+    },
+    [join(toolchain, 'emscripten.cmake')],
+  );
 }
 
 function installPrivately() {
@@ -79,8 +113,16 @@ function installPrivately() {
 
 function unpackEmscripten(archive, emsdk) {
   const excludes = unwanted.map((pattern) => `--exclude='${pattern}'`).join(' ');
-  const unpack = `tar -x -C "$2" --strip-components=4 ${excludes} ./usr/share/emscripten`;
-  run('bash', ['-o', 'pipefail', '-c', `dpkg-deb --fsys-tarfile "$1" | ${unpack}`, 'bash', archive, emsdk]);
+  const unpack = `tar -x -C "$2" --strip-components=4 ${excludes} ./usr/share/emscripten ${licences}`;
+  run('bash', [
+    '-o',
+    'pipefail',
+    '-c',
+    `dpkg-deb --fsys-tarfile "$1" | ${unpack}`,
+    'bash',
+    archive,
+    emsdk,
+  ]);
 }
 
 /** The next release's programs need its C library: each is started through that library's own loader. */
@@ -88,13 +130,21 @@ function wrapBinaryen(runtime) {
   const libraries = join(runtime, 'usr/lib');
   const triplet = readdirSync(libraries).find((name) => name.endsWith('-linux-gnu'));
   const folder = join(libraries, triplet);
-  const loader = join(folder, readdirSync(folder).find((name) => /^ld-linux.*\.so/.test(name)));
+  const loader = join(
+    folder,
+    readdirSync(folder).find((name) => /^ld-linux.*\.so/.test(name)),
+  );
   const home = join(toolchain, 'binaryen');
   mkdirSync(join(home, 'bin'), { recursive: true });
-  for (const name of readdirSync(join(runtime, 'usr/bin')).filter((file) => file.startsWith('wasm'))) {
+  for (const name of readdirSync(join(runtime, 'usr/bin')).filter((file) =>
+    file.startsWith('wasm'),
+  )) {
     const wrapper = join(home, 'bin', name);
     const program = join(runtime, 'usr/bin', name);
-    writeFileSync(wrapper, `#!/bin/sh\nexec "${loader}" --library-path "${folder}" "${program}" "$@"\n`);
+    writeFileSync(
+      wrapper,
+      `#!/bin/sh\nexec "${loader}" --library-path "${folder}" "${program}" "$@"\n`,
+    );
     chmodSync(wrapper, 0o755);
   }
   return home;

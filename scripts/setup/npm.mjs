@@ -9,13 +9,15 @@ export function npmPackages() {
   const lock = join(root, 'package-lock.json');
   const isLocked = existsSync(lock);
   const files = [join(root, 'package.json'), ...(isLocked ? [lock] : [])];
-  // npm's own record is part of the print: a removed node_modules is noticed, however it went away.
-  const isInstalled = existsSync(join(root, 'node_modules/.package-lock.json'));
-  if (!isInstalled) rmSync(join(toolchain, 'npm.stamp'), { force: true });
-  once('npm', fingerprint(process.version, ...files.map((file) => readFileSync(file))), () => {
-    run('npm', [isLocked ? 'ci' : 'install', '--no-fund', '--no-audit'], { cwd: root });
-    linkTypeScript5();
-  });
+  once(
+    'npm',
+    fingerprint(process.version, ...files.map((file) => readFileSync(file))),
+    () => {
+      run('npm', [isLocked ? 'ci' : 'install', '--no-fund', '--no-audit'], { cwd: root });
+      linkTypeScript5();
+    },
+    [join(root, 'node_modules/.package-lock.json')],
+  ); // npm's own record: a removed node_modules is noticed
 }
 
 /** Emscripten writes type declarations with the `tsc` on the PATH and knows TypeScript 5 only; ours is newer. */

@@ -19,7 +19,10 @@ export function privateApt(type, suite) {
   for (const folder of ['lists/partial', 'cache/archives/partial']) {
     mkdirSync(join(home, folder), { recursive: true });
   }
-  writeFileSync(join(home, 'sources.list'), `${type} [signed-by=${keyring}] ${mirror} ${suite} main\n`);
+  writeFileSync(
+    join(home, 'sources.list'),
+    `${type} [signed-by=${keyring}] ${mirror} ${suite} main\n`,
+  );
   writeFileSync(join(home, 'status'), '');
   const options = [
     `Dir::Etc::sourcelist=${join(home, 'sources.list')}`,

@@ -24,3 +24,14 @@ export function capture(program, args, options = {}) {
   });
   return result.status === 0 ? result.stdout : null;
 }
+
+/** Runs a script's body; an expected failure becomes one line and status 1. */
+export function main(body) {
+  try {
+    body();
+  } catch (error) {
+    if (!(error instanceof SetupError)) throw error;
+    console.error(error.message);
+    process.exit(1);
+  }
+}

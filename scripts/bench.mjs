@@ -1,0 +1,12 @@
+// Builds the benchmarks, native and as WASM, and runs them: `npm run bench [-- --full]`.
+import { buildEngine } from './build/engine.mjs';
+import { build } from './build/index.mjs';
+import { root } from './setup/paths.mjs';
+import { main, run } from './setup/shell.mjs';
+
+main(() => {
+  build();
+  buildEngine('wasm');
+  buildEngine('release');
+  run(process.execPath, ['tests/bench/run.mjs', ...process.argv.slice(2)], { cwd: root });
+});

@@ -1,0 +1,30 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { notePackages } from '../../scripts/build/vite-plugins.mjs';
+
+const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
+
+/** The studio, for any folder of any host: every address in it is relative. */
+export default defineConfig({
+  root: path('.'),
+  base: './',
+  plugins: [notePackages('studio')],
+  worker: { format: 'es', plugins: () => [notePackages('studio-worker')] },
+  build: {
+    outDir: path('../../dist/studio'),
+    emptyOutDir: true,
+    // The first browsers with both WASM SIMD and WASM exceptions.
+    target: ['chrome95', 'firefox100', 'safari16.4'],
+    // The content security policy forbids data: addresses for most kinds of files.
+    assetsInlineLimit: 0,
+    rolldownOptions: {
+      output: {
+        // The WASM lies beside the page, where hosts and people expect it; its hash keeps caches right.
+        assetFileNames: ({ names }) =>
+          names.some((name) => name.endsWith('.wasm'))
+            ? '[name]-[hash][extname]'
+            : 'assets/[name]-[hash][extname]',
+      },
+    },
+  },
+});

@@ -1,0 +1,27 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { copyWasm, notePackages } from '../../scripts/build/vite-plugins.mjs';
+
+const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
+
+/** The command line: self-contained, so that the published package depends on nothing. */
+export default defineConfig({
+  root: path('.'),
+  publicDir: false,
+  plugins: [notePackages('cli'), copyWasm()],
+  ssr: { noExternal: true },
+  build: {
+    ssr: true,
+    target: 'node20',
+    outDir: path('../../dist/cli'),
+    emptyOutDir: true,
+    rolldownOptions: {
+      input: { foldwright: path('foldwright.ts'), 'node-worker': path('../core/node-worker.ts') },
+      output: {
+        entryFileNames: '[name].js',
+        // Beside the entries: code that looks for its neighbours by import.meta.url finds them from any chunk.
+        chunkFileNames: '[name].js',
+      },
+    },
+  },
+});
