@@ -13,8 +13,9 @@ struct TreeSearchOptions {
   /// Heuristic trees to start from; the best one is improved. Part of them steepest edge, part flat
   /// tree.
   int starts = 40;
-  /// A swap may add up to -temperature ln(u) overlaps, u uniform in (0, 1).
-  double temperature = 0.3;
+  /// A swap may add up to -temperature ln(u) overlaps, u uniform in (0, 1). Of whole models of 2000
+  /// to 5000 faces 2 solves 52 of 54 from one seed, 0.5 two thirds; rare tight parts want less.
+  double temperature = 2;
   /// Swaps without a new best before the search gives up: tight parts either come down steadily or
   /// stay stuck, and another seed then helps more than patience.
   std::int64_t patience = 20000;
