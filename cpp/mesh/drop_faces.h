@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mesh/triangle_soup.h"
+
+namespace foldwright {
+
+/// Drops triangles of an area up to `smallest_area`; keeps the order of the others.
+void drop_degenerate(TriangleSoup& soup, double smallest_area);
+
+/// Drops all but the first of triangles with the same corners in the same winding. Of two with
+/// opposite winding both stay: they are the two sides of a sheet, a legal closed surface.
+void drop_duplicates(TriangleSoup& soup);
+
+}  // namespace foldwright

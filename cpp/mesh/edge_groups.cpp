@@ -1,0 +1,28 @@
+#include "mesh/edge_groups.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace foldwright {
+
+EdgeGroups group_half_edges(const TriangleSoup& soup) {
+  std::vector<std::pair<std::uint64_t, int>> keyed;
+  keyed.reserve(soup.faces.size() * 3);
+  for (int h = 0; h < 3 * soup.face_count(); ++h) {
+    const auto [low, high] = std::minmax({start_vertex(soup, h), end_vertex(soup, h)});
+    keyed.emplace_back(static_cast<std::uint64_t>(low) << 32 | static_cast<unsigned>(high), h);
+  }
+  std::sort(keyed.begin(), keyed.end());
+  EdgeGroups groups;
+  groups.half_edges.reserve(keyed.size());
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    groups.half_edges.push_back(keyed[i].second);
+    if (i + 1 == keyed.size() || keyed[i + 1].first != keyed[i].first) {
+      groups.first.push_back(static_cast<int>(i) + 1);
+    }
+  }
+  return groups;
+}
+
+}  // namespace foldwright

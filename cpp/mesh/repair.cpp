@@ -1,0 +1,216 @@
+#include "mesh/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mesh/drop_faces.h"
+#include "mesh/edge_groups.h"
+#include "mesh/input_error.h"
+#include "mesh/join_faces.h"
+#include "mesh/orient.h"
+#include "mesh/split_nonmanifold.h"
+#include "mesh/t_junctions.h"
+#include "mesh/triangulate_soup.h"
+#include "mesh/weld.h"
+
+namespace foldwright {
+namespace {
+
+/// Adds a sentence such as "1 face was turned" or "2 faces were turned", if there is any.
+void report(RepairedModel& model, const char* code, int count, const std::string& one,
+            const std::string& many, const std::string& what) {
+  if (count == 0) return;
+  model.repairs.push_back(
+      {code, count, std::to_string(count) + " " + (count == 1 ? one : many) + " " + what});
+}
+
+/// The model's own units and the repair's, in which it is about 1 across: squares of areas would
+/// leave the range of doubles at 1e-30 or 1e30. Powers of two, so that nothing is rounded.
+struct Frame {
+  Vec3 centre;
+  int exponent;
+  double diagonal;  // of the bounding box, in the repair's units
+
+  Vec3 scaled(const Vec3& p) const {
+    return (p - centre).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+  }
+};
+
+Frame frame_of(std::span<const Vec3> positions) {
+  // Volumes and squares of areas of what comes later stay in the range of doubles.
+  constexpr double kSmallest = 1e-60;
+  constexpr double kLargest = 1e60;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  const Vec3 half = 0.5 * box.max() - 0.5 * box.min();  // without overflow
+  const double size = half.maxCoeff();
+  if (size == 0) throw InputError("no-area", "all vertices of the model lie at the same place");
+  if (size < kSmallest || size > kLargest) {
+    throw InputError("bad-size", "the model's size is out of range; 1e-60 to 1e60 is supported");
+  }
+  Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0};
+  std::frexp(size, &frame.exponent);
+  frame.diagonal = 2 * frame.scaled(frame.centre + half).norm();
+  return frame;
+}
+
+/// Indices of the vertices that some face uses, ascending.
+std::vector<int> used_vertices(std::span<const int> corners, std::size_t vertex_count) {
+  std::vector<char> is_used(vertex_count, false);
+  for (const int corner : corners) is_used[corner] = true;
+  std::vector<int> used;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (is_used[v]) used.push_back(static_cast<int>(v));
+  }
+  return used;
+}
+
+/// Number of source faces of which something is left, or of which `selected` faces are a part.
+int count_sources(const TriangleSoup& soup, int source_count, const std::vector<char>* selected) {
+  std::vector<char> present(source_count, false);
+  for (int f = 0; f < soup.face_count(); ++f) {
+    if (selected == nullptr || (*selected)[f]) present[soup.source_faces[f]] = true;
+  }
+  return static_cast<int>(std::count(present.begin(), present.end(), true));
+}
+
+TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& used,
+                              const Frame& frame, double tolerance, RepairedModel& model) {
+  std::vector<Vec3> positions;
+  for (const int v : used) positions.push_back(frame.scaled(soup.positions[v]));
+  const std::vector<int> standing_for = weld(positions, tolerance);
+  std::vector<int> vertex_of(soup.positions.size(), -1);
+  int welded = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    vertex_of[used[i]] = standing_for[i];
+    welded += standing_for[i] != static_cast<int>(i);
+  }
+  report(model, "welded-vertices", welded, "vertex was", "vertices were",
+         "merged with others at the same place");
+  int polygons = 0;
+  for (int f = 0; f < soup.face_count(); ++f) {
+    polygons += soup.first_corner[f + 1] - soup.first_corner[f] > 3;
+  }
+  report(model, "triangulated-polygons", polygons, "face with more than three corners was",
+         "faces with more than three corners were", "cut into triangles");
+  return triangulate_soup(soup, vertex_of, std::move(positions));
+}
+
+/// Drops what is no face and closes the cracks that this or the file leaves.
+void mend_faces(TriangleSoup& triangles, double tolerance, RepairedModel& model) {
+  // Vertices are at least the tolerance apart, so that the apex of a triangle this small lies
+  // within two tolerances of its longest side: the crack it leaves is within reach of the closer.
+  const double smallest_area = tolerance * tolerance;
+  const double reach = 2 * tolerance;
+  // Cutting a face at a crack may open another one; in practice the second pass finds none.
+  constexpr int kMostPasses = 8;
+  const int sources = model.source_face_count;
+  int duplicates = 0;
+  int closed = 0;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    drop_degenerate(triangles, smallest_area);
+    const int before = count_sources(triangles, sources, nullptr);
+    drop_duplicates(triangles);
+    duplicates += before - count_sources(triangles, sources, nullptr);
+    const int closed_now = close_t_junctions(triangles, reach);
+    if (closed_now == 0) break;
+    closed += closed_now;
+  }
+  drop_degenerate(triangles, smallest_area);
+  const int lost = sources - count_sources(triangles, sources, nullptr) - duplicates;
+  report(model, "dropped-degenerate-faces", lost, "face was", "faces were",
+         "dropped for having no area");
+  report(model, "dropped-duplicate-faces", duplicates, "face was", "faces were",
+         "dropped for repeating another one");
+  report(model, "closed-t-junctions", closed, "edge was", "edges were",
+         "cut at vertices of its neighbours to close a crack");
+  if (triangles.faces.empty()) throw InputError("no-area", "no face of the model has an area");
+}
+
+/// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
+void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
+  std::vector<char> turned(triangles.faces.size(), false);
+  Partners partners = join_manifold_edges(triangles, group_half_edges(triangles));
+  const Orientation patches = orient(triangles, partners, turned);
+  turn_faces(triangles, partners, patches.turned);
+  turned = patches.turned;
+
+  // Only faces that know their outside can be paired; the pairs in turn may connect patches that
+  // were wound by guess.
+  const int nonmanifold_edges =
+      join_nonmanifold_edges(triangles, group_half_edges(triangles), patches, partners);
+  const Orientation whole = orient(triangles, partners, turned);
+  for (const int h : whole.contradictions) {
+    partners[partners[h]] = -1;
+    partners[h] = -1;
+  }
+  turn_faces(triangles, partners, whole.turned);
+  for (std::size_t f = 0; f < turned.size(); ++f) turned[f] ^= whole.turned[f];
+  const int turned_faces = count_sources(triangles, model.source_face_count, &turned);
+
+  const Splits splits = split_nonmanifold(triangles, partners);
+  report(model, "flipped-faces", turned_faces, "face was", "faces were",
+         "turned over, so that all have the same side outside");
+  report(model, "split-nonmanifold-edges", nonmanifold_edges, "edge", "edges",
+         "with more than two faces came apart");
+  report(model, "split-nonmanifold-vertices", splits.vertices, "vertex", "vertices",
+         "where surfaces only touch came apart");
+  report(model, "halved-edges", splits.midpoints, "edge was", "edges were",
+         "halved, since two edges connected the same vertices");
+  report(model, "cut-nonorientable", static_cast<int>(whole.contradictions.size()), "edge was",
+         "edges were", "cut open, since the surface has only one side");
+}
+
+/// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
+/// origin.
+Mesh finished_mesh(TriangleSoup&& triangles, const Frame& frame) {
+  std::vector<int> corners;
+  for (const auto& face : triangles.faces) corners.insert(corners.end(), face.begin(), face.end());
+  const std::vector<int> used = used_vertices(corners, triangles.positions.size());
+  Eigen::AlignedBox3d box;
+  for (const int v : used) box.extend(triangles.positions[v]);
+  const Vec3 centre = box.center();
+  std::vector<int> new_index(triangles.positions.size(), -1);
+  std::vector<Vec3> positions;
+  for (const int v : used) {
+    new_index[v] = static_cast<int>(positions.size());
+    const Vec3 centred = triangles.positions[v] - centre;
+    positions.push_back(centred.unaryExpr([&](double x) { return std::ldexp(x, frame.exponent); }));
+  }
+  for (auto& face : triangles.faces) {
+    for (int& vertex : face) vertex = new_index[vertex];
+  }
+  return make_mesh(std::move(positions), std::move(triangles.faces),
+                   std::move(triangles.source_faces));
+}
+
+}  // namespace
+
+RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
+  RepairedModel model;
+  model.repairs = soup.repairs;
+  model.source_face_count = soup.face_count();
+  const std::vector<int> used = used_vertices(soup.corners, soup.positions.size());
+  if (used.empty()) throw InputError("no-faces", "the model has no faces");
+  report(model, "dropped-unused-vertices", static_cast<int>(soup.positions.size() - used.size()),
+         "vertex was", "vertices were", "dropped, since no face uses it");
+
+  std::vector<Vec3> used_positions;
+  for (const int v : used) used_positions.push_back(soup.positions[v]);
+  const Frame frame = frame_of(used_positions);
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
+  mend_faces(triangles, tolerance, model);
+  make_manifold(triangles, model);
+  model.mesh = finished_mesh(std::move(triangles), frame);
+
+  int borders = 0;
+  for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
+  report(model, "open-border", borders, "edge lies", "edges lie",
+         "on the border of an open surface");
+  return model;
+}
+
+}  // namespace foldwright

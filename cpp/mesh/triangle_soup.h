@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/vec.h"
+
+namespace foldwright {
+
+/// Triangles on their way through the repair: like Mesh, but nothing is guaranteed yet beyond
+/// three different vertices per face. Lengths are scaled so that the model is about 1 across.
+struct TriangleSoup {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  std::vector<int> source_faces;  ///< per face: index of the face it came from in the file as read
+
+  int face_count() const { return static_cast<int>(faces.size()); }
+};
+
+/// Twice the area of a face as a vector along its normal.
+inline Vec3 area_vector(const TriangleSoup& soup, int face) {
+  const auto& [a, b, c] = soup.faces[face];
+  return (soup.positions[b] - soup.positions[a]).cross(soup.positions[c] - soup.positions[a]);
+}
+
+/// Half-edge 3 f + i runs along face f from its corner i to its corner i + 1.
+inline int next_half_edge(int half_edge) {
+  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+
+inline int start_vertex(const TriangleSoup& soup, int half_edge) {
+  return soup.faces[half_edge / 3][half_edge % 3];
+}
+
+inline int end_vertex(const TriangleSoup& soup, int half_edge) {
+  return start_vertex(soup, next_half_edge(half_edge));
+}
+
+}  // namespace foldwright
