@@ -1,6 +1,6 @@
 // Builds the benchmarks, native and as WASM, and runs them: `npm run bench [-- --full]`.
-import { buildEngine } from './build/engine.mjs';
-import { build } from './build/index.mjs';
+import { buildEngine } from './make/engine.mjs';
+import { build } from './make/index.mjs';
 import { root } from './setup/paths.mjs';
 import { main, run } from './setup/shell.mjs';
 

@@ -1,4 +1,4 @@
-import { build } from './build/index.mjs';
+import { build } from './make/index.mjs';
 import { main } from './setup/shell.mjs';
 
 main(build);

@@ -1,5 +1,5 @@
 import { join } from 'node:path';
-import { build } from './build/index.mjs';
+import { build } from './make/index.mjs';
 import { serve } from './serve.mjs';
 import { root } from './setup/paths.mjs';
 import { main } from './setup/shell.mjs';

@@ -1,7 +1,7 @@
 // All tests, in groups; the first group that fails ends the run. The runners' own summaries come last.
 import { join } from 'node:path';
-import { build } from './build/index.mjs';
-import { buildEngine } from './build/engine.mjs';
+import { build } from './make/index.mjs';
+import { buildEngine } from './make/engine.mjs';
 import { setUp } from './setup/index.mjs';
 import { root } from './setup/paths.mjs';
 import { main, run } from './setup/shell.mjs';

@@ -1,5 +1,5 @@
 // clang-tidy over the engine: minutes, so not part of the tests.
-import { buildEngine } from './build/engine.mjs';
+import { buildEngine } from './make/engine.mjs';
 import { sourceFiles } from './files.mjs';
 import { setUp } from './setup/index.mjs';
 import { root } from './setup/paths.mjs';

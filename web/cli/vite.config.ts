@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { copyWasm, notePackages } from '../../scripts/build/vite-plugins.mjs';
+import { copyWasm, notePackages } from '../../scripts/make/vite-plugins.mjs';
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 

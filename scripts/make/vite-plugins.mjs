@@ -1,0 +1,34 @@
+// Small Vite plugins that both bundles share.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { root } from '../setup/paths.mjs';
+
+/** Where each bundle notes which npm packages it contains, for the third-party notices. */
+export const shippedFolder = join(root, 'build/shipped');
+
+/** @param name of the note, one per bundle (Vite builds workers as bundles of their own) */
+export function notePackages(name) {
+  return {
+    name: 'note-packages',
+    generateBundle(_options, bundle) {
+      const chunks = Object.values(bundle).filter((file) => file.type === 'chunk');
+      const modules = chunks.flatMap((chunk) => Object.keys(chunk.modules));
+      // The innermost node_modules folder names the package, scoped or not.
+      const packages = modules.map((id) => id.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[0]);
+      mkdirSync(shippedFolder, { recursive: true });
+      const list = [...new Set(packages.filter(Boolean))].sort();
+      writeFileSync(join(shippedFolder, `${name}.json`), JSON.stringify(list));
+    },
+  };
+}
+
+/** Puts the WASM beside the scripts, under its own name: under node the module looks for it there. */
+export function copyWasm() {
+  const file = join(root, 'web/core/generated/foldwright.wasm');
+  return {
+    name: 'copy-wasm',
+    generateBundle() {
+      this.emitFile({ type: 'asset', fileName: 'foldwright.wasm', source: readFileSync(file) });
+    },
+  };
+}

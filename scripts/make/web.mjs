@@ -1,0 +1,29 @@
+// The bundles: the command line and the studio, each built again only when something below web/ changed.
+import { join } from 'node:path';
+import { root } from '../setup/paths.mjs';
+import { run } from '../setup/shell.mjs';
+import { contentFingerprint, once } from '../setup/stamp.mjs';
+import { writeNotices } from './notices.mjs';
+
+const bundles = [
+  { name: 'cli', config: 'web/cli/vite.config.ts', output: 'dist/cli/foldwright.js' },
+  { name: 'studio', config: 'web/app/vite.config.ts', output: 'dist/studio/index.html' },
+];
+
+export function buildWeb() {
+  const inputs = ['web', 'package-lock.json', 'scripts/make', 'tsconfig.json'];
+  const print = contentFingerprint(inputs.map((name) => join(root, name)));
+  const vite = join(root, 'node_modules/vite/bin/vite.js');
+  for (const { name, config, output } of bundles) {
+    once(
+      `bundle-${name}`,
+      print,
+      () =>
+        run(process.execPath, [vite, 'build', '--config', config, '--logLevel', 'warn'], {
+          cwd: root,
+        }),
+      [join(root, output)],
+    );
+  }
+  once('notices', print, writeNotices, [join(root, 'dist/THIRD_PARTY_NOTICES')]);
+}
