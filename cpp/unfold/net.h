@@ -21,7 +21,7 @@ struct NetEdge {
 /// where the net is cut, each side has its own.
 struct Net {
   std::vector<int> faces;                   ///< of the mesh, ascending
-  std::vector<Vec2> vertices;               ///< model units until `scale_net`
+  std::vector<Vec2> vertices;               ///< model units until laid on sheets
   std::vector<std::array<int, 3>> corners;  ///< per face: its vertices, counter-clockwise
   std::vector<NetEdge> edges;               ///< folds once, cuts once per side
 };
