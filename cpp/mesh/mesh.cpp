@@ -71,6 +71,26 @@ Mesh make_mesh(std::vector<Vec3> positions, std::vector<std::array<int, 3>> face
   return mesh;
 }
 
+Mesh submesh(const Mesh& mesh, std::span<const int> faces) {
+  std::vector<int> new_index(mesh.positions.size(), -1);
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> kept;
+  std::vector<int> source_faces;
+  for (const int face : faces) {
+    std::array<int, 3> corners = mesh.faces[face];
+    for (int& v : corners) {
+      if (new_index[v] == -1) {
+        new_index[v] = static_cast<int>(positions.size());
+        positions.push_back(mesh.positions[v]);
+      }
+      v = new_index[v];
+    }
+    kept.push_back(corners);
+    source_faces.push_back(mesh.source_faces[face]);
+  }
+  return make_mesh(std::move(positions), std::move(kept), std::move(source_faces));
+}
+
 double face_area(const Mesh& mesh, int face) {
   const auto& [a, b, c] = mesh.faces[face];
   const Vec3 ab = mesh.positions[b] - mesh.positions[a];

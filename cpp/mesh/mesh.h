@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geometry/vec.h"
@@ -36,6 +37,9 @@ struct Mesh {
 /// \pre every edge has one or two faces that run along it in opposite directions
 Mesh make_mesh(std::vector<Vec3> positions, std::vector<std::array<int, 3>> faces,
                std::vector<int> source_faces = {});
+
+/// The mesh of some faces alone, in their order; `source_faces` are carried over.
+Mesh submesh(const Mesh& mesh, std::span<const int> faces);
 
 /// Area of one face, in square model units.
 double face_area(const Mesh& mesh, int face);

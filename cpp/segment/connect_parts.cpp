@@ -24,18 +24,19 @@ std::vector<char> in_main_piece(const DualGraph& graph, const Labels& labels) {
   return result;
 }
 
-double co_foldability(const DualGraph& graph, const FoldabilityMatrix& matrix, const Labels& labels,
-                      const std::vector<char>& settled, int panel, int part) {
+double co_foldability(const DualGraph& graph, const CarriedFoldability& foldability,
+                      const Labels& labels, const std::vector<char>& settled, int panel, int part) {
   double sum = 0;
   for (int other = 0; other < graph.panel_count(); ++other) {
-    if (settled[other] && labels[other] == part) sum += graph.areas[other] * matrix(panel, other);
+    if (settled[other] && labels[other] == part)
+      sum += graph.areas[other] * foldability(panel, other);
   }
   return sum;
 }
 
 /// The adjacent settled part that `panel` unfolds best with; -1 when it touches none.
-int best_neighbour(const DualGraph& graph, const FoldabilityMatrix& matrix, const Labels& labels,
-                   const std::vector<char>& settled, int panel) {
+int best_neighbour(const DualGraph& graph, const CarriedFoldability& foldability,
+                   const Labels& labels, const std::vector<char>& settled, int panel) {
   std::set<int> adjacent;
   for (const int h : graph.hinges_of(panel)) {
     const int next = graph.hinges[h].other(panel);
@@ -44,7 +45,7 @@ int best_neighbour(const DualGraph& graph, const FoldabilityMatrix& matrix, cons
   int best = -1;
   double most = -1;
   for (const int part : adjacent) {
-    const double value = co_foldability(graph, matrix, labels, settled, panel, part);
+    const double value = co_foldability(graph, foldability, labels, settled, panel, part);
     if (value > most) most = value, best = part;
   }
   return best;
@@ -52,8 +53,8 @@ int best_neighbour(const DualGraph& graph, const FoldabilityMatrix& matrix, cons
 
 }  // namespace
 
-Labels connect_parts(const DualGraph& graph, const FoldabilityMatrix& matrix, Labels labels) {
-  assert(matrix.size == graph.panel_count());
+Labels connect_parts(const DualGraph& graph, const CarriedFoldability& foldability, Labels labels) {
+  assert(static_cast<int>(foldability.rows.size()) == graph.panel_count());
   labels = renumbered(labels);
   std::vector<char> settled = in_main_piece(graph, labels);
   // Stray panels join from the edge of the settled ones inwards, so that what joins is connected.
@@ -61,7 +62,7 @@ Labels connect_parts(const DualGraph& graph, const FoldabilityMatrix& matrix, La
     joined = false;
     for (int panel = 0; panel < graph.panel_count(); ++panel) {
       if (settled[panel]) continue;
-      const int part = best_neighbour(graph, matrix, labels, settled, panel);
+      const int part = best_neighbour(graph, foldability, labels, settled, panel);
       if (part == -1) continue;
       labels[panel] = part;
       settled[panel] = 1;

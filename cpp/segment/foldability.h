@@ -34,6 +34,15 @@ FoldabilityMatrix to_matrix(const FoldabilityCounts& counts);
 /// The rows and columns of some panels, in their order.
 FoldabilityMatrix restrict_to(const FoldabilityMatrix& matrix, std::span<const int> panels);
 
+/// M between the panels of a graph when it was learned on another one (a proxy, or a larger graph):
+/// each panel has the row of the one that stands for it.
+struct CarriedFoldability {
+  const FoldabilityMatrix& matrix;
+  std::span<const int> rows;
+
+  float operator()(int a, int b) const { return matrix(rows[a], rows[b]); }
+};
+
 struct LearnOptions {
   Heuristic heuristic = Heuristic::kSteepestEdge;
   DirectionSet directions = DirectionSet::kRandom;

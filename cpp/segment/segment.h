@@ -1,0 +1,33 @@
+#pragma once
+
+#include "segment/foldability.h"
+#include "segment/labels.h"
+
+namespace foldwright {
+
+/// `kMerge`: normalised-cut merging of foldability and concave geodesic. `kSpectral`: the paper's
+/// own clustering, from foldability alone, made connected by Eq. (1).
+enum class Segmenter { kMerge, kSpectral };
+
+struct SegmentOptions {
+  Segmenter segmenter = Segmenter::kMerge;
+  int parts = 0;  ///< number of parts, at most the number of panels; 0 estimates it
+  std::uint64_t seed = 1;
+};
+
+/// Connected parts of the graph that was learned on [paper, 4.2]. `matrix`: one row per panel.
+/// \pre graph is connected
+Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+               const SegmentOptions& options = {});
+
+/// Carries labels of a learned graph to the graph that it stands for: each panel takes the label of
+/// its row, stray panels follow Eq. (1), and parts that got lost on the way are made up for by
+/// splitting the largest ones, until there are as many as among `labels`.
+Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,
+                    const Labels& labels);
+
+/// Splits a connected graph into two connected parts. \pre at least two panels
+Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
+                    const CarriedFoldability& foldability);
+
+}  // namespace foldwright
