@@ -32,3 +32,14 @@ export function copyWasm() {
     },
   };
 }
+
+/** Emscripten's module asks for node's `module` under node only; browsers get an empty one instead of a warning. */
+export function withoutNodeModules() {
+  const empty = '\0empty';
+  return {
+    name: 'without-node-modules',
+    enforce: 'pre',
+    resolveId: (id) => (id === 'module' ? empty : null),
+    load: (id) => (id === empty ? 'export {};' : null),
+  };
+}

@@ -1,15 +1,27 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { notePackages } from '../../scripts/make/vite-plugins.mjs';
+import { notePackages, withoutNodeModules } from '../../scripts/make/vite-plugins.mjs';
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
+
+// The WASM lies beside the page, where hosts and people expect it; its hash keeps caches right.
+const output = {
+  assetFileNames: ({ names }: { names: string[] }): string =>
+    names.some((name) => name.endsWith('.wasm'))
+      ? '[name]-[hash][extname]'
+      : 'assets/[name]-[hash][extname]',
+};
 
 /** The studio, for any folder of any host: every address in it is relative. */
 export default defineConfig({
   root: path('.'),
   base: './',
-  plugins: [notePackages('studio')],
-  worker: { format: 'es', plugins: () => [notePackages('studio-worker')] },
+  plugins: [notePackages('studio'), withoutNodeModules()],
+  worker: {
+    format: 'es',
+    plugins: () => [notePackages('studio-worker'), withoutNodeModules()],
+    rolldownOptions: { output },
+  },
   build: {
     outDir: path('../../dist/studio'),
     emptyOutDir: true,
@@ -17,14 +29,6 @@ export default defineConfig({
     target: ['chrome95', 'firefox100', 'safari16.4'],
     // The content security policy forbids data: addresses for most kinds of files.
     assetsInlineLimit: 0,
-    rolldownOptions: {
-      output: {
-        // The WASM lies beside the page, where hosts and people expect it; its hash keeps caches right.
-        assetFileNames: ({ names }) =>
-          names.some((name) => name.endsWith('.wasm'))
-            ? '[name]-[hash][extname]'
-            : 'assets/[name]-[hash][extname]',
-      },
-    },
+    rolldownOptions: { output },
   },
 });
