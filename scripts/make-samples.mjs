@@ -75,7 +75,7 @@ function organic({ solid, min, max, step, triangles }) {
 function models() {
   return [
     ...ANIMALS.map((animal) => [animal.id, animal.name, organic(animal), 'obj']),
-    ['knot', 'Trefoil knot', triangulate(knot()), 'obj'],
+    ['knot', 'Knot', triangulate(knot()), 'obj'],
     ['star', 'Star', star(), 'stl'],
     ['house', 'House', house(), 'obj'],
     ['torus', 'Ring', torus(), 'obj'],

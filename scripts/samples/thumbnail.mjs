@@ -8,7 +8,8 @@ const LIGHT = normalize([-0.45, 0.8, 0.55]);
 /** Mixes a paper white towards a shade by how much light a face gets. */
 function shade(light, [r, g, b]) {
   const lit = Math.max(0, Math.min(1, 0.5 + 0.5 * light));
-  const channel = (dark) => Math.round(dark + (250 - dark) * lit ** 1.35);
+  // The lightest shade keeps some of the colour: white faces would be lost on white paper.
+  const channel = (dark) => Math.round(dark + 0.84 * (252 - dark) * lit ** 1.5);
   const hex = [r, g, b].map((c) => channel(c).toString(16).padStart(2, '0'));
   return `#${hex.join('')}`;
 }
