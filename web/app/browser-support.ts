@@ -1,0 +1,29 @@
+/** What the engine needs from the browser, tried with the smallest modules that use it. */
+
+// (func (result v128) i32.const 0  i8x16.splat  i8x16.popcnt)
+const simdModule = [
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
+  253, 98, 11,
+];
+// (func  try  end)
+const exceptionsModule = [
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11,
+];
+
+function accepts(module: number[]): boolean {
+  return WebAssembly.validate(new Uint8Array(module));
+}
+
+/** A sentence that says what to do when this browser cannot run the engine; null when it can. */
+export function missingSupport(): string | null {
+  const able =
+    typeof WebAssembly === 'object' &&
+    typeof Worker === 'function' &&
+    accepts(simdModule) &&
+    accepts(exceptionsModule);
+  if (able) return null;
+  return (
+    'This browser lacks WebAssembly with SIMD and exceptions, which the unfolding needs. ' +
+    'Chrome and Edge have it since version 95, Firefox since 100, Safari since 16.4.'
+  );
+}

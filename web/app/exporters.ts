@@ -1,0 +1,47 @@
+import type { JobResult } from '../model/job.js';
+
+/** A file for the person to keep. */
+export interface ExportedFile {
+  name: string;
+  content: string | Uint8Array;
+  mediaType: string;
+}
+
+export interface ExportInput {
+  result: JobResult;
+  /** Name of the model without its ending. */
+  name: string;
+  /** Margin of the sheets in mm. */
+  margin: number;
+}
+
+type Exporter = (input: ExportInput) => Promise<ExportedFile>;
+
+// Each exporter loads when it is first asked for: a PDF writer is larger than the whole page.
+const exporters: Readonly<Record<string, Exporter>> = {
+  pdf: async ({ result, name, margin }) => {
+    const { writePdf } = await import('../export/pdf.js');
+    const content = await writePdf(result, { title: name, margin });
+    return { name: `${name}.pdf`, content, mediaType: 'application/pdf' };
+  },
+  svg: async ({ result, name }) => {
+    if (result.sheets.length === 1) {
+      const { writeSvg } = await import('../export/svg.js');
+      return { name: `${name}.svg`, content: writeSvg(result, 0), mediaType: 'image/svg+xml' };
+    }
+    const { writeSvgZip } = await import('../export/svg-zip.js');
+    const content = writeSvgZip(result, `${name}.svg`);
+    return { name: `${name}-svg.zip`, content, mediaType: 'application/zip' };
+  },
+  fold: async ({ result, name }) => {
+    const { writeFold } = await import('../export/fold.js');
+    return { name: `${name}.fold`, content: writeFold(result), mediaType: 'application/json' };
+  },
+};
+
+/** Writes the result in a format: pdf, svg or fold. */
+export function exportResult(format: string, input: ExportInput): Promise<ExportedFile> {
+  const exporter = exporters[format];
+  if (!exporter) throw new Error(`No exporter writes ${format}`);
+  return exporter(input);
+}

@@ -1,0 +1,54 @@
+import { runJob, type TimedResult } from '../core/client.js';
+import { engineDied, JobError } from '../core/job-error.js';
+import type { TimedEvent } from '../core/protocol.js';
+import type { Transport } from '../core/transport.js';
+import type { JobOptions } from '../model/job.js';
+import type { ModelFile } from './model-file.js';
+
+/** How a run ended. `crashed`: the worker failed, not the model. */
+export type Outcome =
+  | { type: 'done'; result: TimedResult }
+  | { type: 'cancelled' }
+  | { type: 'failed'; text: string; crashed: boolean };
+
+/** Runs one job at a time in the engine's worker; a new one ends the one before. */
+export class JobRunner {
+  private abort: AbortController | null = null;
+
+  constructor(private readonly transport: Transport) {}
+
+  get running(): boolean {
+    return this.abort !== null;
+  }
+
+  /** Ends the running job, if there is one. */
+  cancel(): void {
+    this.abort?.abort();
+  }
+
+  /** Runs a job to its end; never rejects. */
+  async run(
+    model: ModelFile,
+    options: JobOptions,
+    onEvent: (event: TimedEvent) => void,
+  ): Promise<Outcome> {
+    this.cancel();
+    const abort = new AbortController();
+    this.abort = abort;
+    const { signal } = abort;
+    const hear = (event: TimedEvent): void => {
+      if (!signal.aborted) onEvent(event);
+    };
+    try {
+      const run = { signal, onEvent: hear };
+      const result = await runJob(this.transport, model.bytes, model.name, options, run);
+      return { type: 'done', result };
+    } catch (error) {
+      if (signal.aborted) return { type: 'cancelled' };
+      if (!(error instanceof JobError)) throw error;
+      return { type: 'failed', text: error.message, crashed: error.code === engineDied };
+    } finally {
+      if (this.abort === abort) this.abort = null;
+    }
+  }
+}

@@ -1,0 +1,57 @@
+import type { JobEvent } from '../model/job.js';
+import { find } from './dom.js';
+import { ProgressWords } from './progress-words.js';
+
+/** The card that tells how far a run is, with the button that ends it. */
+export class ProgressPanel {
+  private readonly card = find('#progress', HTMLElement);
+  private readonly model = find('#progress-model', HTMLElement);
+  private readonly words = find('#progress-words', HTMLElement);
+  private readonly bar = find('#progress-bar', HTMLProgressElement);
+  private readonly percent = find('#progress-percent', HTMLElement);
+  private readonly announcement = find('#announcement', HTMLElement);
+  private readonly cancel = find('#cancel', HTMLButtonElement);
+  private state = new ProgressWords();
+
+  constructor(onCancel: () => void) {
+    this.cancel.addEventListener('click', onCancel);
+    document.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape' && !this.card.hidden) onCancel();
+    });
+  }
+
+  /** Whether the keyboard is on the card, which is about to go. */
+  get hasFocus(): boolean {
+    return this.card.contains(document.activeElement);
+  }
+
+  /** Starts anew for a model. */
+  begin(modelName: string): void {
+    this.state = new ProgressWords();
+    this.model.textContent = modelName;
+    this.card.hidden = false;
+    this.show();
+    this.card.scrollIntoView({ block: 'nearest' });
+  }
+
+  /** Takes an event of the run in. */
+  follow(event: JobEvent): void {
+    this.state.follow(event);
+    this.show();
+  }
+
+  /** Puts the card away and says how it ended. */
+  end(words: string): void {
+    this.card.hidden = true;
+    this.announcement.textContent = words;
+  }
+
+  private show(): void {
+    const { headline, progress, text } = this.state;
+    this.words.textContent = text;
+    this.bar.value = progress;
+    this.percent.textContent = `${Math.floor(100 * progress)} %`;
+    // Only what is new is spoken: setting the same words again may repeat them.
+    if (this.announcement.textContent !== headline) this.announcement.textContent = headline;
+  }
+}

@@ -1,0 +1,73 @@
+import type { TimedResult } from '../core/client.js';
+import { find, make } from './dom.js';
+import type { DownloadBar } from './download-bar.js';
+import type { Wishes } from './options-form.js';
+import { leadSentence, netRemarks, repairRemarks, resultFacts } from './result-words.js';
+import type { SheetList } from './sheet-list.js';
+
+/** A finished run: what was asked for and what came out. */
+export interface FinishedRun {
+  fileName: string;
+  wishes: Wishes;
+  result: TimedResult;
+}
+
+/** The file's name without its ending. */
+function stem(fileName: string): string {
+  return fileName.replace(/\.[^.]*$/, '') || 'model';
+}
+
+function remarkList(title: string, remarks: string[]): HTMLElement[] {
+  if (remarks.length === 0) return [];
+  const items = remarks.map((textContent) => make('li', { textContent }));
+  return [make('h3', { textContent: title }), make('ul', {}, ...items)];
+}
+
+/** The summary of a result with its downloads and its sheets. */
+export class ResultPanel {
+  private readonly panel = find('#result', HTMLElement);
+  private readonly title = find('#result-title', HTMLElement);
+  private readonly lead = find('#result-lead', HTMLElement);
+  private readonly facts = find('#facts', HTMLElement);
+  private readonly remarks = find('#remarks', HTMLElement);
+
+  constructor(
+    private readonly downloads: DownloadBar,
+    private readonly sheets: SheetList,
+  ) {}
+
+  /** Whether there is a result on the page. */
+  get shown(): boolean {
+    return !this.panel.hidden;
+  }
+
+  /** Moves the keyboard to the result. */
+  focus(): void {
+    this.panel.focus({ preventScroll: true });
+  }
+
+  /** Replaces the result on the page; returns its one-sentence summary. */
+  async show({ fileName, wishes, result }: FinishedRun): Promise<string> {
+    await this.sheets.show(result);
+    const name = stem(fileName);
+    const lead = leadSentence(result, wishes.paper);
+    this.title.textContent = name;
+    this.lead.textContent = lead;
+    this.facts.replaceChildren(
+      ...resultFacts(result).map(([label, value]) =>
+        make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
+      ),
+    );
+    const remarks = [
+      ...remarkList('Repaired before unfolding', repairRemarks(result)),
+      ...remarkList('Worth knowing', netRemarks(result)),
+    ];
+    this.remarks.replaceChildren(...remarks);
+    this.remarks.hidden = remarks.length === 0;
+    this.downloads.offer({ result, name, margin: wishes.job.margin });
+    // Two runs gave the same bits when this is the same: for bug reports and tests.
+    this.panel.dataset['hash'] = result.hash;
+    this.panel.hidden = false;
+    return lead;
+  }
+}

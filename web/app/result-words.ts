@@ -1,0 +1,71 @@
+import type { TimedResult } from '../core/client.js';
+import type { JobResult, Model } from '../model/job.js';
+import type { PaperSize } from '../model/paper.js';
+import { pieceLetter } from '../model/piece-letter.js';
+
+/** A label and its value. */
+export type Fact = [label: string, value: string];
+
+function count(number: number, one: string, many = `${one}s`): string {
+  return `${number} ${number === 1 ? one : many}`;
+}
+
+/** Width, height and depth of the finished model, in whole millimetres. */
+function finishedSize({ vertices }: Model): string {
+  const extent = (axis: number): number => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = axis; i < vertices.length; i += 3) {
+      low = Math.min(low, vertices[i]!);
+      high = Math.max(high, vertices[i]!);
+    }
+    return Math.round(high - low);
+  };
+  return `${extent(0)} × ${extent(1)} × ${extent(2)} mm`;
+}
+
+/** The result in one sentence. */
+export function leadSentence(result: JobResult, paper: PaperSize): string {
+  const parts = count(result.parts, 'part');
+  const pieces = count(result.pieces.length, 'piece');
+  const sheets = `${count(result.sheets.length, 'sheet')} of ${paper.name}`;
+  if (result.pieces.length === result.parts) return `${parts}, each in one piece, on ${sheets}.`;
+  return `${parts} in ${pieces} on ${sheets}.`;
+}
+
+/** Seconds as people say them: 0.4 s, 12 s, 2 min 5 s. */
+function duration(seconds: number): string {
+  if (seconds < 10) return `${seconds.toFixed(1)} s`;
+  if (seconds < 60) return `${Math.round(seconds)} s`;
+  return `${Math.floor(seconds / 60)} min ${Math.floor(seconds % 60)} s`;
+}
+
+/** The figures worth knowing before printing. */
+export function resultFacts(result: TimedResult): Fact[] {
+  return [
+    ['Finished size', finishedSize(result.model)],
+    ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
+    ['Paper used', `${Math.round(100 * result.efficiency)} %`],
+    ['Triangles', String(result.model.faces.length / 3)],
+    ['Computed in', duration(result.seconds.total)],
+  ];
+}
+
+/** What was changed on the model before it was unfolded. */
+export function repairRemarks({ repairs }: JobResult): string[] {
+  return repairs.map(({ text }) => text);
+}
+
+/** What the person should know about the nets; the engine's own notices come last. */
+export function netRemarks({ pieces, parts, notices }: JobResult): string[] {
+  const remarks: string[] = [];
+  const extra = pieces.length - parts;
+  if (extra > 0) {
+    remarks.push(
+      `${count(extra, 'piece')} more than parts: some parts do not lie flat in one piece.`,
+    );
+  }
+  for (const { id, overlaps } of pieces) {
+    if (overlaps > 0) remarks.push(`Piece ${pieceLetter(id)} overlaps itself.`);
+  }
+  return [...remarks, ...notices.map(({ text }) => text)];
+}

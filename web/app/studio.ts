@@ -1,0 +1,102 @@
+import type { Transport } from '../core/transport.js';
+import { missingSupport } from './browser-support.js';
+import { find } from './dom.js';
+import { DownloadBar } from './download-bar.js';
+import { FilePicker } from './file-picker.js';
+import { JobRunner, type Outcome } from './job-runner.js';
+import { MessagePanel } from './message-panel.js';
+import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
+import { OptionsForm, type Wishes } from './options-form.js';
+import { ProgressPanel } from './progress-panel.js';
+import { ResultPanel } from './result-panel.js';
+import { SampleGallery } from './sample-gallery.js';
+import { SheetList } from './sheet-list.js';
+
+/** Ties the parts of the page together: a choice starts a run, a run ends in a result or a message. */
+export class Studio {
+  private readonly runner: JobRunner;
+  private readonly message = new MessagePanel();
+  private readonly form = new OptionsForm(() => void this.unfold());
+  private readonly gallery = new SampleGallery((model) => void this.choose(model));
+  private readonly progress = new ProgressPanel(() => this.runner.cancel());
+  private readonly result: ResultPanel;
+  private readonly chosen = find('#chosen', HTMLElement);
+  private readonly welcome = find('#welcome', HTMLElement);
+  private model: ModelFile | null = null;
+  /** Counts choices: a file that is slower to read than a later choice is dropped. */
+  private choices = 0;
+
+  constructor(transport: Transport) {
+    this.runner = new JobRunner(transport);
+    const downloads = new DownloadBar((format) =>
+      this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
+    );
+    this.result = new ResultPanel(downloads, new SheetList());
+  }
+
+  /** Opens the page for choices, or says why this browser cannot run it. */
+  async start(): Promise<void> {
+    const missing = missingSupport();
+    if (missing !== null) {
+      this.message.show('Foldwright cannot run in this browser', missing);
+      return;
+    }
+    new FilePicker((files) => void this.choose(readModelFile(files)));
+    await this.gallery.load().catch((error: unknown) => this.explain(error));
+  }
+
+  /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
+  private async choose(coming: Promise<ModelFile>): Promise<void> {
+    const choice = ++this.choices;
+    const model = await coming.catch((error: unknown) => this.explain(error));
+    if (!model || choice !== this.choices) return;
+    this.model = model;
+    this.gallery.mark(model.name);
+    this.chosen.textContent = `Chosen: ${model.name}`;
+    this.form.ready = true;
+    await this.unfold();
+  }
+
+  private async unfold(): Promise<void> {
+    const { model } = this;
+    const wishes = this.form.read();
+    if (!model || !wishes) return;
+    this.message.clear();
+    this.welcome.hidden = true;
+    this.progress.begin(model.name);
+    const outcome = await this.runner.run(model, wishes.job, (event) =>
+      this.progress.follow(event),
+    );
+    // A later run has ended this one and taken over the panels.
+    if (this.runner.running) return;
+    await this.finish(outcome, model, wishes);
+  }
+
+  private async finish(outcome: Outcome, { name }: ModelFile, wishes: Wishes): Promise<void> {
+    const { hasFocus } = this.progress;
+    if (outcome.type === 'done') {
+      const lead = await this.result.show({ fileName: name, wishes, result: outcome.result });
+      this.progress.end(`Done: ${lead}`);
+      this.form.action = 'Unfold again';
+      if (hasFocus) this.result.focus();
+      return;
+    }
+    this.welcome.hidden = this.result.shown;
+    if (hasFocus) this.form.focus();
+    if (outcome.type === 'cancelled') {
+      this.progress.end('Cancelled.');
+      return;
+    }
+    this.progress.end('');
+    const next = outcome.crashed
+      ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
+      : 'Choose another model, or repair this one and try again.';
+    this.message.show(`“${name}” could not be unfolded`, outcome.text, next);
+  }
+
+  /** Tells a failed choice; anything else is a fault of the page and goes on as one. */
+  private explain(error: unknown): void {
+    if (!(error instanceof UnusableChoice)) throw error;
+    this.message.show('Nothing was unfolded', error.message);
+  }
+}
