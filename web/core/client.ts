@@ -35,15 +35,16 @@ function runNow(
       clearTimeout(timer);
       signal?.removeEventListener('abort', cancel);
     };
-    const fail = (reason: unknown): void => {
+    const fail = (reason: Error): void => {
       settle();
-      reject(reason as Error);
+      reject(reason);
     };
+    const aborted = (): Error => signal?.reason as Error;
     const hear = (event: TimedEvent): void => {
       const isLast = event.type === 'done' || event.type === 'error';
       if (signal?.aborted) {
         // The job ended before the cancel arrived, which is then never answered.
-        if (isLast) fail(signal.reason);
+        if (isLast) fail(aborted());
         return;
       }
       onEvent?.(event);
@@ -55,7 +56,7 @@ function runNow(
     const port = transport.open({
       onAnswer(answer) {
         if (answer.job !== job) return;
-        if (answer.type === 'cancelled') fail(signal?.reason);
+        if (answer.type === 'cancelled') fail(aborted());
         else hear(answer.event);
       },
       onDeath(reason) {
@@ -66,7 +67,7 @@ function runNow(
       port.post({ type: 'cancel', job });
       timer = setTimeout(() => {
         transport.close();
-        fail(signal?.reason);
+        fail(aborted());
       }, patience);
     }
     signal?.addEventListener('abort', cancel);

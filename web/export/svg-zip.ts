@@ -1,4 +1,4 @@
-import { strToU8, zipSync } from 'fflate';
+import { strToU8, zipSync, type Zippable } from 'fflate';
 import type { JobResult } from '../model/job.js';
 import type { DrawingOptions } from './sheet-drawing.js';
 import { sheetName } from './sheet-name.js';
@@ -14,9 +14,9 @@ export function writeSvgZip(
   options: DrawingOptions = {},
 ): Uint8Array {
   const count = result.sheets.length;
-  const files = result.sheets.map((_, sheet) => [
-    sheetName(name, sheet, count),
-    strToU8(writeSvg(result, sheet, options)),
-  ]);
-  return zipSync(Object.fromEntries(files), { mtime: noDate });
+  const files: Zippable = {};
+  result.sheets.forEach((_, sheet) => {
+    files[sheetName(name, sheet, count)] = strToU8(writeSvg(result, sheet, options));
+  });
+  return zipSync(files, { mtime: noDate });
 }
