@@ -1,0 +1,112 @@
+import { Command, CommanderError, Option } from 'commander';
+import { version } from '../../package.json';
+import { exitStatus, Exit, usageError } from './exit.js';
+import { laterRows, rows, type Row, type Settings } from './options.js';
+import { BadValue } from './values.js';
+
+/** What a command line asks for. */
+export interface Commands {
+  model: string;
+  outputs: string[];
+  report: string | null;
+  quiet: boolean;
+  settings: Settings;
+}
+
+interface Flags {
+  output?: string[];
+  report?: string;
+  quiet?: boolean;
+}
+
+function laterError(name: string): Exit {
+  return usageError(`option '--${name}' does not exist in this version yet`);
+}
+
+function parserOf(name: string, { parse }: Row<unknown>): (text: string) => unknown {
+  return (text) => {
+    try {
+      return parse(text);
+    } catch (error) {
+      if (!(error instanceof BadValue)) throw error;
+      throw usageError(`option '--${name}': '${text}' ${error.message}`);
+    }
+  };
+}
+
+function addRows(program: Command): void {
+  for (const [name, row] of Object.entries<Row<unknown>>(rows)) {
+    const option = new Option(`--${name} <${row.value}>`, row.help)
+      .default(row.parse(row.fallback), row.fallback)
+      .argParser(parserOf(name, row));
+    program.addOption(option);
+  }
+  for (const [name, { value }] of Object.entries(laterRows)) {
+    const flags = value === undefined ? `--${name}` : `--${name} <${value}>`;
+    program.addOption(new Option(flags).hideHelp());
+  }
+}
+
+function describe(): Command {
+  const program = new Command('foldwright')
+    .description('Unfolds a 3D model into paper nets.')
+    .argument('<model>', 'OBJ, STL, OFF or PLY file')
+    .option(
+      '-o, --output <file>',
+      'write a .fold, .svg or .pdf file; may be given several times',
+      (file: string, files: string[] = []) => [...files, file],
+    )
+    .option('--report <file>', 'write a report as JSON')
+    .option('--quiet', 'no progress on stderr; errors stay')
+    .version(version)
+    .exitOverride()
+    .configureOutput({ writeErr: () => undefined });
+  addRows(program);
+  return program;
+}
+
+/** Commander keeps values under camel-case names; the table has the names that people write. */
+function valueOf(program: Command, name: string): unknown {
+  return program.getOptionValue(new Option(`--${name}`).attributeName());
+}
+
+function refuseLater(program: Command): void {
+  for (const [name, { same }] of Object.entries(laterRows)) {
+    const value = valueOf(program, name);
+    if (value !== undefined && value !== same) throw laterError(name);
+  }
+}
+
+function settingsOf(program: Command): Settings {
+  const entries = Object.keys(rows).map((name) => [name, valueOf(program, name)]);
+  const settings = Object.fromEntries(entries) as Settings;
+  const { margin, paper } = settings;
+  if (2 * margin >= paper.width) {
+    throw usageError(`option '--margin': ${margin} mm leave nothing of ${paper.name} paper`);
+  }
+  return settings;
+}
+
+/**
+ * Reads the arguments after the program's name.
+ * @throws Exit for anything that cannot be done, and after printing help or the version
+ */
+export function parseCommandLine(args: string[]): Commands {
+  const program = describe();
+  try {
+    program.parse(args, { from: 'user' });
+  } catch (error) {
+    if (!(error instanceof CommanderError)) throw error;
+    if (error.exitCode === 0) throw new Exit(exitStatus.done, '');
+    throw usageError(error.message.replace(/^error: /, ''));
+  }
+  refuseLater(program);
+  const { output = [], report, quiet = false } = program.opts<Flags>();
+  return {
+    model: program.args[0]!,
+    outputs: output,
+    report: report ?? null,
+    quiet,
+    settings: settingsOf(program),
+  };
+}

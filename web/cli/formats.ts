@@ -1,0 +1,68 @@
+import { basename, extname } from 'node:path';
+import type { JobResult } from '../model/job.js';
+import { writeFold } from '../export/fold.js';
+import { writePdf } from '../export/pdf.js';
+import { sheetName } from '../export/sheet-name.js';
+import { writeSvg } from '../export/svg.js';
+import { usageError } from './exit.js';
+import type { Commands } from './command-line.js';
+import type { OutputFile } from './write-files.js';
+
+type Renderer = (
+  path: string,
+  result: JobResult,
+  commands: Commands,
+) => OutputFile[] | Promise<OutputFile[]>;
+
+function renderSvg(path: string, result: JobResult, { settings }: Commands): OutputFile[] {
+  const count = result.sheets.length;
+  return result.sheets.map((_, sheet) => ({
+    path: sheetName(path, sheet, count),
+    content: writeSvg(result, sheet, { flatFold: settings['flat-fold'] }),
+  }));
+}
+
+async function renderPdf(
+  path: string,
+  result: JobResult,
+  { model, settings }: Commands,
+): Promise<OutputFile[]> {
+  const content = await writePdf(result, {
+    title: basename(model, extname(model)),
+    margin: settings.margin,
+    flatFold: settings['flat-fold'],
+  });
+  return [{ path, content }];
+}
+
+const renderers: Record<string, Renderer> = {
+  '.fold': (path, result) => [{ path, content: writeFold(result) }],
+  '.svg': renderSvg,
+  '.pdf': renderPdf,
+};
+
+const laterFormats = ['.dxf', '.png', '.glb'];
+
+function formatOf(path: string): string {
+  return extname(path).toLowerCase();
+}
+
+/** @throws Exit for an output whose ending is no format */
+export function checkFormat(path: string): void {
+  const format = formatOf(path);
+  if (format in renderers) return;
+  if (laterFormats.includes(format)) {
+    throw usageError(`'${path}': the format ${format} does not exist in this version yet`);
+  }
+  const known = Object.keys(renderers).join(', ');
+  throw usageError(`'${path}': the ending '${format}' is none of ${known}`);
+}
+
+/** All files of all outputs, not yet written. */
+export async function renderOutputs(commands: Commands, result: JobResult): Promise<OutputFile[]> {
+  const files: OutputFile[] = [];
+  for (const path of commands.outputs) {
+    files.push(...(await renderers[formatOf(path)]!(path, result, commands)));
+  }
+  return files;
+}

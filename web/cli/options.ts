@@ -1,0 +1,122 @@
+/** The table of options: parsing, help, defaults and the report's echo all come from here. */
+import { defaultOptions } from '../model/default-options.js';
+import type { JobOptions } from '../model/job.js';
+import { choice, decimal, paper, whole, wordOr, type Parser } from './values.js';
+
+/** An option with a value. */
+export interface Row<Value> {
+  /** How help writes the value. */
+  value: string;
+  help: string;
+  /** As a person would write it. */
+  fallback: string;
+  parse: Parser<Value>;
+}
+
+function row<const Value>(
+  value: string,
+  fallback: string | number,
+  parse: Parser<Value>,
+  help: string,
+): Row<Value> {
+  return { value, fallback: String(fallback), parse, help };
+}
+
+// Far more than a mesh that anyone could glue; larger numbers are typing errors.
+const manyFaces = 10_000_000;
+
+export const rows = {
+  parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces)), 'number of parts'),
+  solver: row('NAME', 'tree', choice(['tree'], ['genetic']), 'tree'),
+  heuristic: row(
+    'NAME',
+    defaultOptions.heuristic,
+    choice(['steepest', 'flat', 'hybrid', 'random']),
+    'for the learning: steepest, flat, hybrid or random',
+  ),
+  segment: row(
+    'NAME',
+    defaultOptions.segment,
+    choice(['merge', 'spectral']),
+    'merge: foldability with shape cues; spectral: foldability alone',
+  ),
+  runs: row('N', defaultOptions.runs, whole(1, 1_000_000), 'learning runs'),
+  proxy: row(
+    'N',
+    defaultOptions.proxy,
+    whole(0, manyFaces),
+    'learn on a proxy above N faces; 0: never',
+  ),
+  seed: row('N', defaultOptions.seed, whole(0, 2 ** 32 - 1), 'the same seed gives the same result'),
+  faces: row('N|off', 'off', wordOr('off', whole(4, manyFaces)), 'simplify to N triangles first'),
+  folding: row(
+    'MODE',
+    'off',
+    choice(['off'], ['require', 'prefer']),
+    'off: do not look for folding motions',
+  ),
+  paper: row('SIZE', 'A4', paper, 'A2 to A5, Letter, Legal, Tabloid, 12x12in, or WxH in mm'),
+  orientation: row(
+    'NAME',
+    defaultOptions.orientation,
+    choice(['auto', 'portrait', 'landscape']),
+    'auto, portrait or landscape',
+  ),
+  margin: row('MM', defaultOptions.margin, decimal(0, 1000), 'margin that stays free'),
+  'flat-fold': row('DEG', 3, decimal(0, 180), 'folds flatter than this are not drawn'),
+} satisfies Record<string, Row<unknown>>;
+
+export type Settings = {
+  [Name in keyof typeof rows]: ReturnType<(typeof rows)[Name]['parse']>;
+};
+
+/** An option of a later version. */
+export interface LaterRow {
+  /** How its value is written; none for a switch. */
+  value?: string;
+  /** The value that asks for what this version does anyway, and is accepted. */
+  same?: string;
+}
+
+export const laterRows: Record<string, LaterRow> = {
+  height: { value: 'MM' },
+  width: { value: 'MM' },
+  scale: { value: 'F' },
+  sheets: { value: 'N' },
+  unit: { value: 'NAME' },
+  flaps: { value: 'MM|none', same: 'none' },
+  'flap-angle': { value: 'DEG' },
+  'flap-side': { value: 'NAME' },
+  ids: { value: 'NAME', same: 'none' },
+  style: { value: 'NAME', same: 'foldwright' },
+  texture: {},
+  colour: { value: 'NAME', same: 'none' },
+  duplex: {},
+  dpi: { value: 'N' },
+  machine: { value: 'NAME', same: 'none' },
+  assembly: {},
+  workers: { value: 'N', same: '1' },
+};
+
+/** The settings as a person would write them, by the names of the options. */
+export function echo(settings: Settings): Record<string, unknown> {
+  return { ...settings, paper: settings.paper.name };
+}
+
+/** What the engine is asked for. */
+export function jobOptions(settings: Settings): JobOptions {
+  const { parts, faces, heuristic, segment, runs, proxy, seed, orientation, margin } = settings;
+  return {
+    parts: parts === 'auto' ? 0 : parts,
+    heuristic,
+    segment,
+    runs,
+    proxy,
+    seed,
+    faces: faces === 'off' ? 0 : faces,
+    paperWidth: settings.paper.width,
+    paperHeight: settings.paper.height,
+    orientation,
+    margin,
+  };
+}

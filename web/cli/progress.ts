@@ -1,0 +1,41 @@
+import type { WriteStream } from 'node:tty';
+import type { TimedEvent } from '../core/protocol.js';
+import type { Stage } from '../model/job.js';
+
+const stageNames: Record<Stage, string> = {
+  read: 'reading the model',
+  learn: 'learning from unfoldings',
+  cluster: 'cutting into parts',
+  search: 'searching nets',
+  paper: 'placing on sheets',
+};
+
+/** Tells on a stream how a job goes: one line that changes on a terminal, else one per stage. */
+export class Progress {
+  private stage: Stage | null = null;
+
+  constructor(private readonly stream: WriteStream) {}
+
+  readonly hear = (event: TimedEvent): void => {
+    if (event.type === 'notice') {
+      this.clear();
+      this.stream.write(`note: ${event.text}\n`);
+    }
+    if (event.type === 'stage') this.tell(event.stage, event.progress);
+  };
+
+  /** Leaves the terminal's line empty for whatever comes next. */
+  clear(): void {
+    if (this.stream.isTTY) this.stream.write('\r\x1b[K');
+  }
+
+  private tell(stage: Stage, progress: number): void {
+    if (this.stream.isTTY) {
+      const percent = String(Math.floor(progress * 100)).padStart(3);
+      this.stream.write(`\r\x1b[K${percent} % ${stageNames[stage]}`);
+    } else if (stage !== this.stage) {
+      this.stream.write(`${stageNames[stage]}\n`);
+    }
+    this.stage = stage;
+  }
+}

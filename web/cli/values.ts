@@ -1,0 +1,65 @@
+/** Parsers for the values of options. A parser throws `BadValue` with what it would have taken. */
+import { paperSizes, type PaperSize } from '../model/paper.js';
+
+export type Parser<Value> = (text: string) => Value;
+
+/** Says what is wrong, to be read after the value itself: "is not ...". */
+export class BadValue extends Error {}
+
+/** A whole number in a range. */
+export function whole(least: number, most: number): Parser<number> {
+  return (text) => {
+    const value = Number(text);
+    if (/^\d+$/.test(text) && value >= least && value <= most) return value;
+    throw new BadValue(`is not a whole number from ${least} to ${most}`);
+  };
+}
+
+/** A word, or what another parser takes. */
+export function wordOr<const Word extends string, Value>(
+  word: Word,
+  parse: Parser<Value>,
+): Parser<Word | Value> {
+  return (text) => {
+    if (text === word) return word;
+    try {
+      return parse(text);
+    } catch (error) {
+      throw error instanceof BadValue ? new BadValue(`${error.message}, nor ${word}`) : error;
+    }
+  };
+}
+
+/** A decimal number in a range. */
+export function decimal(least: number, most: number): Parser<number> {
+  return (text) => {
+    const value = Number(text);
+    if (/^\d+(\.\d+)?$/.test(text) && value >= least && value <= most) return value;
+    throw new BadValue(`is not a number from ${least} to ${most}`);
+  };
+}
+
+/** One of the words in `now`; the words in `later` are known, but do not work yet. */
+export function choice<const Word extends string>(now: Word[], later: string[] = []): Parser<Word> {
+  return (text) => {
+    const word = now.find((candidate) => candidate === text);
+    if (word !== undefined) return word;
+    if (later.includes(text)) throw new BadValue('does not exist in this version yet');
+    throw new BadValue(`is not ${[...now, ...later].join(' or ')}`);
+  };
+}
+
+// Below, no sheet has room beside a margin; above, no printer or cutter takes it.
+const [leastSide, mostSide] = [20, 5000];
+
+/** A named paper, or width x height in mm; comes back portrait. */
+export function paper(text: string): PaperSize {
+  const named = paperSizes.find(({ name }) => name.toLowerCase() === text.toLowerCase());
+  if (named) return named;
+  const sides = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/.exec(text)?.slice(1).map(Number);
+  if (sides?.every((side) => side >= leastSide && side <= mostSide)) {
+    return { name: text, width: Math.min(...sides), height: Math.max(...sides) };
+  }
+  const names = paperSizes.map(({ name }) => name).join(', ');
+  throw new BadValue(`is neither ${names} nor WxH with ${leastSide} to ${mostSide} mm each`);
+}
