@@ -239,12 +239,12 @@ class NetCheck {
         const other = this.sides.get(key)!.find((side) => side.face !== face);
         const edge = assignmentOf.get(key);
         if (!other || edge === undefined) return;
-        const turn = this.turnAcross(face!, corner, turns[face!]!, other);
+        const turn = this.turnAcross(face, corner, turns[face]!, other);
         if (turn === null) {
           found.push(`edge ${edge} joins faces that share no such edge in the model`);
           return;
         }
-        if (face! < other.face) found.push(...this.foldOf(edge, face!, corner, turns, other.face));
+        if (face < other.face) found.push(...this.foldOf(edge, face, corner, turns, other.face));
         if (turns[other.face] === null) {
           turns[other.face] = turn;
           queue.push(other.face);

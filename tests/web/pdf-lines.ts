@@ -41,7 +41,7 @@ function pathsOf(data: ArrayLike<number>): number[][][] {
 export async function readPdf(bytes: Uint8Array): Promise<{ pages: PdfPage[]; scaling: unknown }> {
   const task = getDocument({ data: bytes.slice(), useSystemFonts: false, verbosity: 0 });
   const document = await task.promise;
-  const preferences = (await document.getViewerPreferences()) as { PrintScaling?: unknown } | null;
+  const preferences: { PrintScaling?: unknown } | null = await document.getViewerPreferences();
   const pages: PdfPage[] = [];
   for (let number = 1; number <= document.numPages; ++number) {
     const page = await document.getPage(number);

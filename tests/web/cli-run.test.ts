@@ -1,0 +1,117 @@
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { foldwright, inFolder, isBuilt } from './command.js';
+import { cube } from './fixtures.js';
+import { checkFold } from './fold-check.js';
+import { parseFold } from './fold-file.js';
+import { objText, wavyRing } from './model-text.js';
+import { schemaErrors } from './report-schema.js';
+
+interface WrittenReport {
+  files: string[];
+  options: Record<string, unknown>;
+  parts: number;
+  sheets: number;
+  pieces: object[];
+  segmentation: number[];
+  result_hash: string;
+}
+
+const readReport = (path: string) => JSON.parse(readFileSync(path, 'utf8')) as WrittenReport;
+
+/** A folder with a model in it. */
+function withModel(
+  text: string,
+  work: (folder: string, model: string) => Promise<void>,
+): Promise<void> {
+  return inFolder((folder) => {
+    const model = join(folder, 'model.obj');
+    writeFileSync(model, text);
+    return work(folder, model);
+  });
+}
+
+describe.skipIf(!isBuilt)('a run of the command line', () => {
+  it('writes every output and a report of them', () =>
+    withModel(objText(cube), async (folder, model) => {
+      const paths = ['out.fold', 'out.svg', 'out.pdf'].map((name) => join(folder, name));
+      const report = join(folder, 'report.json');
+      const outputs = paths.flatMap((path) => ['-o', path]);
+      const args = [model, ...outputs, '--report', report, '--parts', '1', '--quiet'];
+      expect(await foldwright(args)).toEqual({ status: 0, stdout: '', stderr: '' });
+      const written = readReport(report);
+      expect(schemaErrors(written)).toEqual([]);
+      expect(written.files).toEqual([...paths, report]);
+      expect(readdirSync(folder).sort()).toEqual([
+        'model.obj',
+        'out.fold',
+        'out.pdf',
+        'out.svg',
+        'report.json',
+      ]);
+      expect(written.options).toMatchObject({ parts: 1, solver: 'tree', paper: 'A4', seed: 1 });
+      expect(written.segmentation).toEqual(Array.from({ length: 12 }, () => 0));
+      expect(checkFold(parseFold(readFileSync(paths[0]!, 'utf8')))).toEqual([]);
+    }));
+
+  it('numbers the sheets of one-page formats', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const [output, report] = [join(folder, 'out.svg'), join(folder, 'report.json')];
+      const args = [model, '-o', output, '--report', report, '--parts', '6', '--quiet'];
+      expect((await foldwright(args)).status).toBe(0);
+      const { sheets, files } = readReport(report);
+      expect(sheets).toBeGreaterThan(1);
+      const names = Array.from({ length: sheets }, (_, i) => join(folder, `out-${i + 1}.svg`));
+      expect(files).toEqual([...names, report]);
+      const expected = [
+        'model.obj',
+        'report.json',
+        ...names.map((name) => name.split('/').at(-1)!),
+      ];
+      expect(readdirSync(folder).sort()).toEqual(expected.sort());
+    }));
+
+  it('prints a summary when nothing is to be written', () =>
+    withModel(objText(cube), async (folder, model) => {
+      const { status, stdout } = await foldwright([model, '--parts', '1', '--quiet']);
+      expect(status).toBe(0);
+      expect(stdout).toBe(`${model}: 12 faces, 1 part, 1 piece on 1 sheet\n`);
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }));
+
+  it('tells its progress on stderr', () =>
+    withModel(objText(cube), async (_, model) => {
+      const { status, stderr } = await foldwright([model]);
+      expect(status).toBe(0);
+      expect(stderr).toContain('placing on sheets\n');
+    }));
+
+  it('gives the same bytes for the same seed', () =>
+    withModel(objText(wavyRing(10)), async (folder, model) => {
+      const texts: string[] = [];
+      for (const name of ['a.fold', 'b.fold']) {
+        const args = [model, '-o', join(folder, name), '--parts', '3', '--seed', '7', '--quiet'];
+        expect((await foldwright(args)).status).toBe(0);
+        texts.push(readFileSync(join(folder, name), 'utf8'));
+      }
+      expect(texts[0]).toBe(texts[1]);
+    }));
+
+  it('ends at once on SIGINT and leaves nothing behind', () =>
+    withModel(objText(wavyRing(40)), async (folder, model) => {
+      const args = [model, '-o', join(folder, 'out.fold'), '--proxy', '0', '--runs', '100000'];
+      const { status, stdout } = await foldwright(args, { interrupt: 'SIGINT', limit: 20_000 });
+      expect([status, stdout]).toEqual([4, '']);
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }));
+
+  it('says in one line what is wrong with a model', () =>
+    withModel('v 0 0 0\nf 1 2 3\n', async (folder, model) => {
+      const { status, stdout, stderr } = await foldwright([model, '--quiet']);
+      expect([status, stdout]).toEqual([3, '']);
+      expect(stderr.startsWith(`${model}: `)).toBe(true);
+      expect(stderr.trimEnd().split('\n')).toHaveLength(1);
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }));
+});

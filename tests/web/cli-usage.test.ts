@@ -1,0 +1,112 @@
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { laterRows } from '../../web/cli/options.js';
+import { foldwright, inFolder, isBuilt } from './command.js';
+
+/** What the command line refuses before it looks at a model. */
+async function refusal(args: string[]): Promise<string> {
+  const { status, stdout, stderr } = await foldwright(['model.obj', ...args]);
+  expect(stdout).toBe('');
+  expect(stderr).toMatch(/^foldwright: [^\n]+\n$/);
+  expect(status).toBe(2);
+  return stderr;
+}
+
+describe.skipIf(!isBuilt)('the command line', () => {
+  it('explains itself', async () => {
+    const { status, stdout, stderr } = await foldwright(['--help']);
+    expect([status, stderr]).toEqual([0, '']);
+    for (const name of ['--parts', '--paper', '--report', '--output', '--quiet']) {
+      expect(stdout).toContain(name);
+    }
+    for (const name of Object.keys(laterRows)) expect(stdout).not.toContain(`--${name} `);
+  });
+
+  it('tells its version', async () => {
+    const { status, stdout } = await foldwright(['--version']);
+    expect(status).toBe(0);
+    expect(stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
+  });
+
+  it('wants a model', async () => {
+    const { status, stderr } = await foldwright([]);
+    expect(status).toBe(2);
+    expect(stderr).toMatch(/^foldwright: missing required argument 'model'\n$/);
+  });
+
+  it.each([
+    [['--nonsense'], "unknown option '--nonsense'"],
+    [['--parts', 'x'], "option '--parts': 'x' is not a whole number"],
+    [['--parts', '0'], "option '--parts': '0' is not"],
+    [['--parts', '2.5'], "option '--parts': '2.5' is not"],
+    [['--seed', '-1'], "option '--seed': '-1' is not"],
+    [['--seed'], "option '--seed <N>' argument missing"],
+    [['--runs', '1e3'], "option '--runs': '1e3' is not"],
+    [['--heuristic', 'best'], "option '--heuristic': 'best' is not steepest or flat"],
+    [['--paper', 'B5'], "option '--paper': 'B5' is neither A2"],
+    [['--paper', '0x100'], "option '--paper': '0x100' is neither"],
+    [['--margin', '105'], "option '--margin': 105 mm leave nothing of A4 paper"],
+    [['--flat-fold', '181'], "option '--flat-fold': '181' is not"],
+    [['--solver', 'genetic'], "option '--solver': 'genetic' does not exist in this version yet"],
+    [['--folding', 'require'], "option '--folding': 'require' does not exist in this version yet"],
+    [['--folding', 'prefer'], "option '--folding': 'prefer' does not exist in this version yet"],
+    [['-o', 'out.dxf'], "'out.dxf': the format .dxf does not exist in this version yet"],
+    [['-o', 'out.glb'], "'out.glb': the format .glb does not exist in this version yet"],
+    [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],
+    [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
+    [['-o', 'out'], "'out': the ending '' is none of"],
+    [['second.obj'], 'too many arguments'],
+  ])('refuses %j in one sentence', async (args, sentence) => {
+    expect(await refusal(args)).toContain(sentence);
+  });
+
+  it.each(Object.entries(laterRows))('refuses --%s by name', async (name, { value }) => {
+    const given = value === undefined ? [] : ['7'];
+    const sentence = `option '--${name}' does not exist in this version yet`;
+    expect(await refusal([`--${name}`, ...given])).toContain(sentence);
+  });
+
+  it('accepts later options that ask for what it does anyway', async () => {
+    const args = Object.entries(laterRows).flatMap(([name, { same }]) =>
+      same === undefined ? [] : [`--${name}`, same],
+    );
+    const { status, stderr } = await foldwright(['missing.obj', ...args]);
+    expect([status, stderr]).toEqual([3, 'missing.obj: there is no such file\n']);
+  });
+
+  it('refuses outputs that cannot be written, before any work', async () => {
+    await inFolder(async (folder) => {
+      const missing = join(folder, 'nowhere', 'out.svg');
+      expect(await refusal(['-o', missing])).toContain(
+        `'${join(folder, 'nowhere')}' does not exist`,
+      );
+      writeFileSync(join(folder, 'file'), '');
+      expect(await refusal(['--report', join(folder, 'file', 'r.json')])).toMatch(
+        /not a directory/,
+      );
+      mkdirSync(join(folder, 'out.svg'));
+      expect(await refusal(['-o', join(folder, 'out.svg')])).toContain('is a directory');
+      const twice = ['-o', join(folder, 'a.svg'), '--report', join(folder, 'a.svg')];
+      expect(await refusal(twice)).toContain('named twice');
+      expect(readdirSync(folder).sort()).toEqual(['file', 'out.svg']);
+    });
+  });
+
+  it('refuses models that are no files', async () => {
+    await inFolder(async (folder) => {
+      const empty = join(folder, 'empty.obj');
+      writeFileSync(empty, '');
+      const cases = [
+        [folder, 'is a directory, not a model'],
+        [empty, 'the file is empty'],
+        [join(folder, 'none.obj'), 'there is no such file'],
+        [join(empty, 'none.obj'), 'there is no such file'],
+      ];
+      for (const [model, sentence] of cases) {
+        const { status, stdout, stderr } = await foldwright([model!, '--quiet']);
+        expect([status, stdout, stderr]).toEqual([3, '', `${model}: ${sentence}\n`]);
+      }
+    });
+  });
+});

@@ -1,0 +1,62 @@
+/** Runs the built command line and looks at what it leaves behind. */
+import { spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const script = fileURLToPath(new URL('../../dist/cli/foldwright.js', import.meta.url));
+
+/** `npm test` builds it first; a bare run of the tests may not have it. */
+export const isBuilt = existsSync(script);
+
+export interface Ended {
+  /** Exit status, or null if a signal or the time limit ended it. */
+  status: number | null;
+  stdout: string;
+  stderr: string;
+}
+
+export interface CommandOptions {
+  /** Milliseconds after which the program is killed; default 60,000. */
+  limit?: number;
+  /** Sent as soon as the program says anything on stderr. */
+  interrupt?: NodeJS.Signals;
+}
+
+/** Runs `foldwright` with these arguments to its end. */
+export function foldwright(args: string[], options: CommandOptions = {}): Promise<Ended> {
+  const { limit = 60_000, interrupt } = options;
+  return new Promise((resolve, reject) => {
+    const child = spawn(process.execPath, [script, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+    const timer = setTimeout(() => child.kill('SIGKILL'), limit);
+    let [stdout, stderr] = ['', ''];
+    child.stdout.on('data', (chunk: Buffer) => (stdout += chunk.toString()));
+    child.stderr.on('data', (chunk: Buffer) => {
+      stderr += chunk.toString();
+      if (interrupt) child.kill(interrupt);
+    });
+    child.on('error', reject);
+    child.on('close', (status) => {
+      clearTimeout(timer);
+      resolve({ status, stdout, stderr });
+    });
+  });
+}
+
+/** Gives `work` a new empty folder and removes it afterwards. */
+export async function inFolder<Result>(work: (folder: string) => Promise<Result>): Promise<Result> {
+  const folder = mkdtempSync(join(tmpdir(), 'foldwright-'));
+  try {
+    return await work(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** Files of other people's that the project does not carry; null where they are missing. */
+export function sharedFolder(): string | null {
+  const here = fileURLToPath(new URL('../../../shared', import.meta.url));
+  const folder = process.env['FOLDWRIGHT_SHARED'] ?? here;
+  return existsSync(join(folder, 'models')) ? folder : null;
+}

@@ -1,0 +1,27 @@
+import { describe, expect, it } from 'vitest';
+import { checkedRun } from './checked-run.js';
+import { isBuilt, sharedFolder } from './command.js';
+import { corpusCases } from './corpus.js';
+
+const shared = sharedFolder();
+
+/** A tenth of the corpus, the same one every time; `npm run bench -- --full` runs all of it. */
+const cases = shared === null ? [] : corpusCases(shared).filter((_, i) => i % 10 === 3);
+
+// Generous: some of these models are large, and machines differ.
+const limit = 240_000;
+
+describe.skipIf(shared === null || !isBuilt)(
+  'nets of real models can be cut out and folded',
+  () => {
+    it.each(cases)(
+      '$model in $parts parts',
+      async ({ path, parts }) => {
+        const { ended, violations } = await checkedRun(path, ['--parts', parts], limit);
+        expect(ended).toEqual({ status: 0, stdout: '', stderr: '' });
+        expect(violations).toEqual([]);
+      },
+      limit + 10_000,
+    );
+  },
+);

@@ -1,0 +1,33 @@
+/** The models and options that nets are judged by at large. */
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+
+export interface CorpusCase {
+  model: string;
+  /** Path of the model. */
+  path: string;
+  parts: '1' | '8' | 'auto';
+}
+
+const sizes = [300, 574, 1000, 2000, 3000];
+
+function modelsIn(shared: string): string[] {
+  const listed = (folder: string) => readdirSync(join(shared, 'models', folder)).sort();
+  const organic = listed('organic').filter((name) =>
+    sizes.includes(Number(/_(\d+)\.obj$/.exec(name)?.[1])),
+  );
+  const academic = listed('academic').filter((name) => /\.(obj|off)$/.test(name));
+  return [
+    ...organic.map((name) => join('organic', name)),
+    ...academic.map((name) => join('academic', name)),
+  ];
+}
+
+/** Every model in one part, in eight and in as many as it wants. */
+export function corpusCases(shared: string): CorpusCase[] {
+  return modelsIn(shared).flatMap((model) =>
+    (['1', '8', 'auto'] as const).map((parts) => {
+      return { model, path: join(shared, 'models', model), parts };
+    }),
+  );
+}
