@@ -100,7 +100,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
 
   it('ends at once on SIGINT and leaves nothing behind', () =>
     withModel(objText(wavyRing(40)), async (folder, model) => {
-      const args = [model, '-o', join(folder, 'out.fold'), '--proxy', '0', '--runs', '100000'];
+      const args = [model, '-o', join(folder, 'out.fold'), '--proxy', '0', '--runs', '60000'];
       const { status, stdout } = await foldwright(args, { interrupt: 'SIGINT', limit: 20_000 });
       expect([status, stdout]).toEqual([4, '']);
       expect(readdirSync(folder)).toEqual(['model.obj']);

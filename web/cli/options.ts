@@ -40,7 +40,7 @@ export const rows = {
     choice(['merge', 'spectral']),
     'merge: foldability with shape cues; spectral: foldability alone',
   ),
-  runs: row('N', defaultOptions.runs, whole(1, 1_000_000), 'learning runs'),
+  runs: row('N', defaultOptions.runs, whole(1, 65_535), 'learning runs'),
   proxy: row(
     'N',
     defaultOptions.proxy,
