@@ -49,11 +49,11 @@ describe('EventThrottle', () => {
 describe('StageClock', () => {
   it('gives the time to the stage in which it passed', () => {
     const clock = new StageClock(1000);
-    clock.enter('read', 1000);
-    clock.enter('learn', 1500);
-    clock.enter('learn', 2500);
-    clock.enter('paper', 4000);
-    expect(clock.seconds(4250)).toEqual({
+    clock.spend(1500, 'read');
+    clock.spend(2500, 'learn');
+    clock.spend(4000);
+    clock.spend(4250, 'paper');
+    expect(clock.seconds()).toEqual({
       read: 0.5,
       learn: 2.5,
       cluster: 0,

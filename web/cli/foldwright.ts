@@ -3,15 +3,16 @@
 import { basename, resolve } from 'node:path';
 import { version } from '../../package.json';
 import { runJob, type TimedResult } from '../core/client.js';
-import { engineDied, JobError } from '../core/job-error.js';
+import { JobError } from '../core/job-error.js';
 import { nodeTransport } from '../core/node-transport.js';
 import { makeReport } from '../export/report.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
 import { checkFormat, renderOutputs } from './formats.js';
+import { exitOf } from './job-failure.js';
 import { echo, jobOptions } from './options.js';
 import { Progress } from './progress.js';
-import { modelError, readModelFile } from './read-model-file.js';
+import { readModelFile } from './read-model-file.js';
 import { summarize } from './summary.js';
 import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
 
@@ -37,10 +38,7 @@ async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedRe
       onEvent: (event) => progress?.hear(event),
     });
   } catch (error) {
-    if (error instanceof JobError && error.code !== engineDied) {
-      throw modelError(model, error.message);
-    }
-    throw error;
+    throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
     progress?.clear();
     transport.close();

@@ -27,13 +27,10 @@ export interface WorkerHost {
 
 const isLast = ({ type }: JobEvent): boolean => type === 'done' || type === 'error';
 
-/** Adds the time to an event, and its stage to the clock. */
+/** Adds the time to an event. */
 function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
-  if (event.type === 'stage') {
-    clock.enter(event.stage, now);
-    return { ...event, seconds: clock.elapsed(now) };
-  }
-  return event.type === 'done' ? { ...event, seconds: clock.seconds(now) } : event;
+  if (event.type === 'stage') return { ...event, seconds: clock.elapsed(now) };
+  return event.type === 'done' ? { ...event, seconds: clock.seconds() } : event;
 }
 
 /** Steps one job to its end; true unless `isCancelled` ended it before. */
@@ -51,6 +48,8 @@ async function runToEnd(
     const events = job.step(budget);
     const now = performance.now();
     budget = nextBudget(budget, now - before);
+    // A step works for one stage and names it, but for the step that finishes a stage.
+    clock.spend(now, events.find((event) => event.type === 'stage')?.stage);
     for (const event of events) {
       if (isLast(event)) throttle.flush();
       throttle.push(timed(event, clock, now));

@@ -17,9 +17,9 @@ export class StageClock {
     this.last = start;
   }
 
-  /** The job is in this stage now; the time since the last call belongs to the stage before. */
-  enter(stage: Stage, now: number): void {
-    this.spent[this.stage] += now - this.last;
+  /** The time since the last call went into `stage`, or, if unknown, the same one as before. */
+  spend(now: number, stage: Stage = this.stage): void {
+    this.spent[stage] += now - this.last;
     this.stage = stage;
     this.last = now;
   }
@@ -29,9 +29,8 @@ export class StageClock {
     return (now - this.start) / 1000;
   }
 
-  /** Seconds of every stage, the current one up to `now`. */
-  seconds(now: number): StageSeconds {
-    this.enter(this.stage, now);
+  /** Seconds spent so far. */
+  seconds(): StageSeconds {
     const { read, learn, cluster, search, paper } = this.spent;
     return {
       read: read / 1000,
@@ -41,7 +40,7 @@ export class StageClock {
       // No folding motion is looked for.
       fold: 0,
       paper: paper / 1000,
-      total: this.elapsed(now),
+      total: this.elapsed(this.last),
     };
   }
 }
