@@ -1,4 +1,5 @@
-import { engineDied, JobError } from '../core/job-error.js';
+import type { JobError } from '../core/job-error.js';
+import { engineDied } from '../core/job-error.js';
 import { Exit, exitStatus, usageError } from './exit.js';
 import { modelError } from './read-model-file.js';
 
