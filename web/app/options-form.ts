@@ -57,6 +57,13 @@ export class OptionsForm {
     this.button.textContent = words;
   }
 
+  /** Puts all fields out of use. */
+  close(): void {
+    for (const field of this.form.querySelectorAll('input, select')) {
+      field.setAttribute('disabled', '');
+    }
+  }
+
   /** Moves the keyboard to the button. */
   focus(): void {
     this.button.focus({ preventScroll: true });

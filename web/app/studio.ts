@@ -39,6 +39,7 @@ export class Studio {
     const missing = missingSupport();
     if (missing !== null) {
       this.message.show('Foldwright cannot run in this browser', missing);
+      this.form.close();
       return;
     }
     new FilePicker((files) => void this.choose(readModelFile(files)));
