@@ -1,0 +1,258 @@
+#include "values.h"
+
+#include <emscripten/bind.h>
+
+#include <limits>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace foldwright {
+namespace {
+
+using emscripten::val;
+
+template <class Enum>
+struct Name {
+  const char* text;
+  Enum value;
+};
+
+constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge},
+                                           {"flat", Heuristic::kFlatTree},
+                                           {"hybrid", Heuristic::kHybrid},
+                                           {"random", Heuristic::kRandom}};
+constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kMerge},
+                                           {"spectral", Segmenter::kSpectral}};
+constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
+                                               {"portrait", Orientation::kPortrait},
+                                               {"landscape", Orientation::kLandscape}};
+
+template <class Enum>
+Enum from_name(std::span<const Name<Enum>> names, const val& value) {
+  const auto text = value.as<std::string>();
+  for (const auto& name : names) {
+    if (text == name.text) return name.value;
+  }
+  throw std::invalid_argument("unknown word in the options: " + text);
+}
+
+template <class T>
+val copied(const char* array, const std::vector<T>& values) {
+  return val::global(array).new_(emscripten::typed_memory_view(values.size(), values.data()));
+}
+
+val ints(const std::vector<int>& values) { return copied("Int32Array", values); }
+val doubles(const std::vector<double>& values) { return copied("Float64Array", values); }
+
+template <class Items, class Convert>
+val list(const Items& items, Convert&& convert) {
+  val array = val::array();
+  for (const auto& item : items) array.call<void>("push", convert(item));
+  return array;
+}
+
+template <std::size_t N>
+std::vector<int> flat(const std::vector<std::array<int, N>>& rows) {
+  std::vector<int> values;
+  for (const auto& row : rows) values.insert(values.end(), row.begin(), row.end());
+  return values;
+}
+
+val repair_value(const Repair& repair) {
+  val object = val::object();
+  object.set("code", repair.code);
+  object.set("count", repair.count);
+  object.set("text", repair.text);
+  return object;
+}
+
+val notice_value(const Notice& notice) {
+  val object = val::object();
+  object.set("code", notice.code);
+  object.set("text", notice.text);
+  return object;
+}
+
+/// The mesh at its finished size.
+val model_value(const JobResult& result) {
+  std::vector<double> vertices;
+  for (const Vec3& p : result.mesh.positions) {
+    for (const double x : {p.x(), p.y(), p.z()}) vertices.push_back(result.sheets.scale * x);
+  }
+  val object = val::object();
+  object.set("vertices", doubles(vertices));
+  object.set("faces", ints(flat(result.mesh.faces)));
+  object.set("components", result.mesh.component_count);
+  return object;
+}
+
+void set_edges(val& object, const Net& net) {
+  std::vector<int> ends, mesh_edges;
+  std::vector<double> angles;
+  std::string assignments;
+  for (const NetEdge& edge : net.edges) {
+    ends.insert(ends.end(), edge.vertices.begin(), edge.vertices.end());
+    mesh_edges.push_back(edge.mesh_edge);
+    assignments.push_back(static_cast<char>(edge.assignment));
+    angles.push_back(edge.assignment == Assignment::kCut ? std::numeric_limits<double>::quiet_NaN()
+                                                         : edge.angle * 180 / std::numbers::pi);
+  }
+  object.set("edges", ints(ends));
+  object.set("assignments", assignments);
+  object.set("foldAngles", doubles(angles));
+  object.set("modelEdges", ints(mesh_edges));
+}
+
+val piece_value(const Piece& piece, int id, const Placement& place) {
+  const Net& net = piece.net;
+  std::vector<double> vertices;
+  Vec2 size = Vec2::Zero();
+  for (const Vec2& p : net.vertices) {
+    vertices.push_back(p.x());
+    vertices.push_back(p.y());
+    size = size.cwiseMax(p);
+  }
+  val object = val::object();
+  object.set("id", id);
+  object.set("part", piece.part);
+  object.set("cause", std::string(piece.cause == Cause::kPart ? "part" : "no-net"));
+  object.set("overlaps", piece.check.overlaps);
+  object.set("width", size.x());
+  object.set("height", size.y());
+  object.set("vertices", doubles(vertices));
+  object.set("faces", ints(flat(net.corners)));
+  object.set("sources", ints(net.faces));
+  set_edges(object, net);
+  object.set("outlines", list(piece.outlines, ints));
+  object.set("sheet", place.sheet);
+  object.set("x", place.x);
+  object.set("y", place.y);
+  return object;
+}
+
+val pieces_value(const JobResult& result) {
+  val array = val::array();
+  for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+    array.call<void>(
+        "push", piece_value(result.pieces[i], static_cast<int>(i), result.sheets.placements[i]));
+  }
+  return array;
+}
+
+val sheets_value(const SheetLayout& layout) {
+  val array = val::array();
+  for (int i = 0; i < layout.sheet_count; ++i) {
+    val sheet = val::object();
+    sheet.set("width", layout.sheet_width);
+    sheet.set("height", layout.sheet_height);
+    array.call<void>("push", sheet);
+  }
+  return array;
+}
+
+val result_value(const JobResult& result) {
+  val search = val::object();
+  search.set("generations", 0);
+  search.set("moves", static_cast<double>(result.moves));
+  val object = val::object();
+  object.set("model", model_value(result));
+  object.set("repairs", list(result.repairs, repair_value));
+  object.set("segmentation", ints(result.segmentation));
+  object.set("labels", ints(result.labels));
+  object.set("parts", result.parts);
+  object.set("pieces", pieces_value(result));
+  object.set("sheets", sheets_value(result.sheets));
+  object.set("efficiency", result.sheets.efficiency);
+  object.set("scale", result.sheets.scale);
+  object.set("search", search);
+  object.set("notices", list(result.notices, notice_value));
+  object.set("hash", result.hash);
+  return object;
+}
+
+val typed(const char* type) {
+  val object = val::object();
+  object.set("type", std::string(type));
+  return object;
+}
+
+const char* stage_name(StageId stage) {
+  constexpr const char* kNames[] = {"read", "learn", "cluster", "search", "paper"};
+  return kNames[static_cast<int>(stage)];
+}
+
+/// One overload per kind of event.
+struct EventValue {
+  val operator()(const StageEvent& event) const {
+    val object = typed("stage");
+    object.set("stage", std::string(stage_name(event.stage)));
+    object.set("progress", event.progress);
+    return object;
+  }
+  val operator()(const LearnedEvent& event) const {
+    val object = typed("learned");
+    object.set("runs", event.runs);
+    object.set("of", event.of);
+    return object;
+  }
+  val operator()(const SegmentedEvent& event) const {
+    val object = typed("segmented");
+    object.set("labels", ints(event.labels));
+    return object;
+  }
+  val operator()(const GenerationEvent& event) const {
+    val object = typed("generation");
+    object.set("part", event.part);
+    object.set("generation", event.generation);
+    object.set("best", event.best);
+    object.set("overlaps", event.overlaps);
+    object.set("hyperbolic", 0);
+    return object;
+  }
+  val operator()(const NetEvent& event) const {
+    val object = typed("net");
+    object.set("part", event.part);
+    object.set("piece", event.piece);
+    return object;
+  }
+  val operator()(const Notice& event) const {
+    val object = notice_value(event);
+    object.set("type", std::string("notice"));
+    return object;
+  }
+  val operator()(const DoneEvent& event) const {
+    val object = typed("done");
+    object.set("result", result_value(*event.result));
+    return object;
+  }
+  val operator()(const ErrorEvent& event) const {
+    val object = typed("error");
+    object.set("code", event.code);
+    object.set("text", event.text);
+    return object;
+  }
+};
+
+}  // namespace
+
+JobOptions options_from(const val& object) {
+  JobOptions options;
+  options.parts = object["parts"].as<int>();
+  options.heuristic = from_name<Heuristic>(kHeuristics, object["heuristic"]);
+  options.segmenter = from_name<Segmenter>(kSegmenters, object["segment"]);
+  options.runs = object["runs"].as<int>();
+  options.proxy = object["proxy"].as<int>();
+  options.seed = object["seed"].as<std::uint32_t>();
+  options.faces = object["faces"].as<int>();
+  options.sheet.width = object["paperWidth"].as<double>();
+  options.sheet.height = object["paperHeight"].as<double>();
+  options.sheet.orientation = from_name<Orientation>(kOrientations, object["orientation"]);
+  options.sheet.margin = object["margin"].as<double>();
+  return options;
+}
+
+val to_value(const Event& event) { return std::visit(EventValue{}, event); }
+
+}  // namespace foldwright

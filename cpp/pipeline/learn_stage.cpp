@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include "pipeline/learning.h"
+
+namespace foldwright {
+namespace {
+
+/// A component that stays whole, or whose number of parts is known without it, needs no learning: a
+/// convex one unfolds whole (its matrix is all ones).
+bool needs_learning(const Component& component) {
+  if (component.graph.panel_count() == 1) return false;
+  return component.parts > 1 || (component.parts == 0 && !component.convex);
+}
+
+/// Learns the foldability of every component that will be clustered [paper, 4.1].
+class LearnStage : public Stage {
+ public:
+  StageId id() const override { return StageId::kLearn; }
+
+  void begin(JobState& state, TaskQueue& queue, Events&) override {
+    for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
+      if (needs_learning(state.components[c])) learnings_.emplace_back(state, c, queue);
+    }
+    runs_wanted_ = state.options.runs * static_cast<int>(learnings_.size());
+  }
+
+  void complete(JobState& state, TaskQueue&, int task, TaskResult result, Events& events) override {
+    const auto& counts = std::get<FoldabilityCounts>(result);
+    runs_done_ += counts.runs;
+    events.push_back(LearnedEvent{runs_done_, runs_wanted_});
+    const auto learning = std::find_if(learnings_.begin(), learnings_.end(),
+                                       [&](const Learning& l) { return l.owns(task); });
+    if (learning->complete(counts)) {
+      state.components[learning->component()].learned = learning->finish();
+    }
+  }
+
+  void watch(const JobState&, const TaskRunner& running, Events& events) override {
+    events.push_back(LearnedEvent{runs_done_ + running.runs_done(), runs_wanted_});
+  }
+
+  double progress(const JobState&, const TaskRunner* running) const override {
+    if (runs_wanted_ == 0) return 1;
+    const int runs = runs_done_ + (running != nullptr ? running->runs_done() : 0);
+    return static_cast<double>(runs) / runs_wanted_;
+  }
+
+ private:
+  std::vector<Learning> learnings_;
+  int runs_wanted_ = 0;
+  int runs_done_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> make_learn_stage() { return std::make_unique<LearnStage>(); }
+
+}  // namespace foldwright

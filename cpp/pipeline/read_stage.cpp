@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/input_error.h"
+#include "mesh/nearest_face.h"
+#include "mesh/read_model.h"
+#include "mesh/simplify.h"
+#include "pipeline/stage.h"
+
+namespace foldwright {
+namespace {
+
+std::string counted(int count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+/// Simplifies on demand, and remembers which face stands for which.
+Mesh simplified(JobState& state) {
+  Mesh mesh = std::move(state.model.mesh);
+  state.source_faces = mesh.source_faces;
+  const int wanted = state.options.faces;
+  if (wanted == 0 || mesh.face_count() <= wanted) return mesh;
+  Mesh simple = simplify(mesh, {.target_faces = wanted});
+  state.face_standins = nearest_faces(mesh, simple);
+  if (simple.face_count() > wanted) {
+    state.notices.push_back({"faces-above-wish", "simplifying stopped at " +
+                                                     std::to_string(simple.face_count()) +
+                                                     " faces: fewer would break the surface"});
+  }
+  return simple;
+}
+
+std::vector<Component> make_components(const DualGraph& graph) {
+  const Labels one_part(graph.panel_count(), 0);
+  const std::vector<int> component_of = part_pieces(graph, one_part);
+  std::vector<Component> components(part_count(component_of));
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    components[component_of[panel]].panels.push_back(panel);
+  }
+  for (Component& component : components) {
+    component.graph = restrict_to(graph, component.panels);
+    component.convex = std::all_of(component.graph.hinges.begin(), component.graph.hinges.end(),
+                                   [](const Hinge& hinge) { return hinge.angle <= kPanelAngle; });
+  }
+  return components;
+}
+
+/// Hands `wanted` parts out to the components by area: one each, the rest by largest remainder.
+void share_parts(std::vector<Component>& components, int wanted) {
+  double total = 0;
+  std::vector<double> areas;
+  for (Component& component : components) {
+    component.parts = 1;
+    const auto& panels = component.graph.areas;
+    areas.push_back(std::accumulate(panels.begin(), panels.end(), 0.0));
+    total += areas.back();
+  }
+  for (int left = wanted - static_cast<int>(components.size()); left > 0; --left) {
+    int neediest = -1;
+    double most = 0;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      if (components[i].parts >= components[i].graph.panel_count()) continue;
+      const double need = areas[i] / total * wanted / components[i].parts;
+      if (need > most) most = need, neediest = static_cast<int>(i);
+    }
+    if (neediest == -1) return;
+    ++components[neediest].parts;
+  }
+}
+
+/// Fits the number of parts to what the model allows, and says so where it differs.
+void decide_parts(JobState& state) {
+  const int wanted = state.options.parts;
+  if (wanted == 0) return;
+  const int least = static_cast<int>(state.components.size());
+  const int most = state.surface->graph.panel_count();
+  if (wanted < least) {
+    state.notices.push_back({"parts-raised", "the model has " + counted(least, "separate body") +
+                                                 ", so it needs at least as many parts"});
+  } else if (wanted > most) {
+    state.notices.push_back({"parts-lowered", "the model has only " + counted(most, "flat panel") +
+                                                  ", so it cannot have more parts"});
+  }
+  share_parts(state.components, std::clamp(wanted, least, most));
+}
+
+/// From bytes to components: read, repair, simplify, dual graph.
+class ReadStage : public Stage {
+ public:
+  StageId id() const override { return StageId::kRead; }
+
+  void begin(JobState& state, TaskQueue&, Events&) override {
+    check_options(state.options);
+    const PolygonSoup soup = read_model(state.file, state.file_name);
+    state.file.clear();
+    state.file.shrink_to_fit();
+    state.model = repair(soup);
+    state.surface = make_surface(simplified(state));
+    state.components = make_components(state.surface->graph);
+    decide_parts(state);
+  }
+
+  double progress(const JobState& state, const TaskRunner*) const override {
+    return state.surface ? 1 : 0;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> make_read_stage() { return std::make_unique<ReadStage>(); }
+
+}  // namespace foldwright

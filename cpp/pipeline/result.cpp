@@ -1,0 +1,72 @@
+#include "pipeline/result.h"
+
+#include <bit>
+#include <concepts>
+
+namespace foldwright {
+namespace {
+
+/// Appends numbers as little-endian 64-bit words.
+class Dump {
+ public:
+  void add(std::integral auto value) { word(static_cast<std::uint64_t>(value)); }
+  void add(double value) { word(std::bit_cast<std::uint64_t>(value)); }
+  void add(const Vec2& p) { add(p.x()), add(p.y()); }
+  void add(const std::vector<int>& values) {
+    add(values.size());
+    for (const int value : values) add(value);
+  }
+
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  void word(std::uint64_t value) {
+    for (int i = 0; i < 8; ++i) bytes_.push_back(static_cast<char>(value >> (8 * i)));
+  }
+
+  std::string bytes_;
+};
+
+void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
+  dump.add(piece.part);
+  dump.add(static_cast<int>(piece.cause));
+  dump.add(piece.net.faces);
+  for (const NetEdge& edge : piece.net.edges) {
+    dump.add(edge.mesh_edge);
+    dump.add(static_cast<int>(edge.assignment));
+    dump.add(edge.angle);
+  }
+  for (const Vec2& p : piece.net.vertices) dump.add(p);
+  dump.add(place.sheet);
+  dump.add(place.x);
+  dump.add(place.y);
+}
+
+}  // namespace
+
+std::string canonical_dump(const JobResult& result) {
+  Dump dump;
+  for (const Vec3& p : result.mesh.positions) dump.add(p.x()), dump.add(p.y()), dump.add(p.z());
+  dump.add(result.labels);
+  dump.add(result.segmentation);
+  dump.add(result.sheets.scale);
+  for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+    add_piece(dump, result.pieces[i], result.sheets.placements[i]);
+  }
+  return dump.take();
+}
+
+std::string hash_of(const std::string& bytes) {
+  // Offset basis and prime of FNV-1a (Fowler, Noll, Vo).
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3ull;
+  }
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4)
+    text.push_back("0123456789abcdef"[hash >> shift & 15]);
+  return text;
+}
+
+}  // namespace foldwright

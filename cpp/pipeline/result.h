@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesh/repair.h"
+#include "paper/sheets.h"
+#include "unfold/net.h"
+
+namespace foldwright {
+
+/// Something a person should know about the result.
+struct Notice {
+  std::string code;  ///< stable kebab-case word
+  std::string text;  ///< one sentence
+};
+
+/// Why a piece exists: it is a whole part, or a share of a part that has no net.
+enum class Cause { kPart, kNoNet };
+
+/// One net on paper.
+struct Piece {
+  int part = 0;
+  Cause cause = Cause::kPart;
+  Net net;  ///< millimetres; its box starts at (0, 0)
+  NetCheck check;
+  std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
+};
+
+struct JobResult {
+  Mesh mesh;  ///< repaired, simplified if asked for, model units
+  std::vector<Repair> repairs;
+  std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
+  std::vector<int> labels;        ///< per face of the mesh: its part
+  int parts = 0;
+  std::vector<Piece> pieces;
+  SheetLayout sheets;
+  std::int64_t moves = 0;  ///< of the net search
+  std::vector<Notice> notices;
+  std::string hash;  ///< of the canonical dump
+};
+
+/// Canonical bytes of a result: labels, trees, angles, coordinates and places, as raw numbers in a
+/// fixed order. Equal results have equal dumps.
+std::string canonical_dump(const JobResult& result);
+
+/// 64-bit FNV-1a hash in hexadecimal.
+std::string hash_of(const std::string& bytes);
+
+}  // namespace foldwright
