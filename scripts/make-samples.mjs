@@ -3,7 +3,6 @@
  * per model and `catalog.json`, which the page reads. The same script writes the same bytes.
  */
 import { mkdir, rm, writeFile } from 'node:fs/promises';
-import { fileURLToPath } from 'node:url';
 import { ANIMALS } from './samples/animals.mjs';
 import { checkSolid } from './samples/check.mjs';
 import { decimateHalf, mirrorHalf } from './samples/decimate.mjs';
@@ -97,7 +96,6 @@ async function main() {
     catalog.push({ id, name, file, picture: `${id}.svg`, faces: mesh.faces.length });
   }
   await writeFile(new URL('catalog.json', OUT), `${JSON.stringify(catalog, null, 2)}\n`);
-  console.log(`${catalog.length} samples in ${fileURLToPath(OUT)}`);
 }
 
 await main();

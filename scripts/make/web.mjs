@@ -10,7 +10,16 @@ const bundles = [
   { name: 'studio', config: 'web/app/vite.config.ts', output: 'dist/studio/index.html' },
 ];
 
+/** The gallery's models, which the studio's bundle copies. */
+function makeSamples() {
+  const script = join(root, 'scripts/make-samples.mjs');
+  const inputs = [script, join(root, 'scripts/samples')];
+  const output = join(root, 'web/app/public/samples/catalog.json');
+  once('samples', contentFingerprint(inputs), () => run(process.execPath, [script]), [output]);
+}
+
 export function buildWeb() {
+  makeSamples();
   const inputs = ['web', 'package-lock.json', 'scripts/make', 'tsconfig.json'];
   const print = contentFingerprint(inputs.map((name) => join(root, name)));
   const vite = join(root, 'node_modules/vite/bin/vite.js');
