@@ -122,7 +122,7 @@ TextScanner::TextScanner(std::span<const std::byte> bytes, LineContinuation cont
 void TextScanner::skip_line_break() {
   if (text_.substr(position_).starts_with("\r\n")) ++position_;
   ++position_;
-  ++line_;
+  if (!at_end()) ++line_;  // what is missing at the end is missing in the last line
 }
 
 bool TextScanner::at_continuation() const {
