@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.h"
+#include "mesh/polygon_soup.h"
+#include "mesh/repair.h"
+
+namespace foldwright::testing {
+
+/// What breaks the promises of `Mesh`, computed from positions and faces alone: an edge with more
+/// than two faces or two in the same direction, a vertex with several fans, an unused vertex, a
+/// degenerate triangle, a closed component of negative volume, a centre that is not the origin.
+/// Empty when nothing does.
+std::string fault_of(const Mesh& mesh);
+
+/// What breaks the promises of `repair` beyond those of its mesh: a source face that is neither in
+/// `source_faces` nor counted as dropped, a repair reported twice. Empty when nothing does.
+std::string bookkeeping_fault_of(const RepairedModel& model);
+
+}  // namespace foldwright::testing

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include "model_text.h"
+
+namespace foldwright::testing {
+namespace {
+
+using Corners = std::vector<int>;
+
+// Four corners of the unit square.
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(ReadObj, TakesPositionsAndFaces) {
+  const PolygonSoup soup = read_text(kSquare + "f 1 2 3 4\nf 4 3 2\n", "square.obj");
+  EXPECT_EQ(soup.positions.size(), 4u);
+  ASSERT_EQ(soup.face_count(), 2);
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2, 3}));
+  EXPECT_EQ(corners_of(soup, 1), (Corners{3, 2, 1}));
+  EXPECT_TRUE(soup.repairs.empty());
+}
+
+TEST(ReadObj, TakesOnlyTheVertexOfACorner) {
+  for (const char* face : {"f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/1/1 2/2/2 3/3/3", "f 1/ 2/ 3/",
+                           "f\t1\t2\t3", "f -4 -3 -2", "f -4/-1 -3/-2 -2/-3"}) {
+    const PolygonSoup soup = read_text(kSquare + face + "\n", "square.obj");
+    EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2})) << face;
+  }
+}
+
+TEST(ReadObj, CountsNegativeIndicesFromTheVerticesBefore) {
+  const PolygonSoup soup = read_text(kSquare + "f -4 -3 -2\nv 5 5 5\nf -2 -1 1\n", "square.obj");
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2}));
+  EXPECT_EQ(corners_of(soup, 1), (Corners{3, 4, 0}));
+}
+
+TEST(ReadObj, AllowsVerticesAfterTheirFace) {
+  EXPECT_EQ(read_text("f 1 2 3 4\n" + kSquare, "square.obj").face_count(), 1);
+}
+
+TEST(ReadObj, SkipsWhatIsNoFace) {
+  const std::string rest =
+      "# comment\nmtllib a.mtl\nvt 0 0\nvn 0 0 x\nusemtl # 1\np 1\nl 1 99\ns off\nf 1 2 3\n";
+  EXPECT_EQ(read_text(kSquare + rest, "square.obj").face_count(), 1);
+}
+
+TEST(ReadObj, IgnoresWeightsAndColours) {
+  const PolygonSoup soup =
+      read_text("v 1 2 3 1.0\nv 4 5 6 0.1 0.2 0.3\nv 7 8 9\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(soup.positions[1], Vec3(4, 5, 6));
+}
+
+TEST(ReadObj, GoesOnAfterABackslash) {
+  EXPECT_EQ(corners_of(read_text(kSquare + "f 1 2 \\\r\n 3 4\n", "a.obj"), 0),
+            (Corners{0, 1, 2, 3}));
+}
+
+TEST(ReadObj, KeepsFacesThatAreTooShortForTheReport) {
+  EXPECT_EQ(read_text(kSquare + "f 1 2 3\nf 1\nf\n", "a.obj").face_count(), 3);
+}
+
+TEST(ReadObj, NamesTheLineOfWhatIsWrong) {
+  EXPECT_EQ(refusal(kSquare + "f 1 2 99\n", "a.obj"),
+            "line 5: face refers to vertex 99, but the file has 4 vertices");
+  EXPECT_EQ(refusal(kSquare + "f 0 1 2\n", "a.obj"),
+            "line 5: face refers to vertex 0, but the file has 4 vertices");
+  EXPECT_EQ(refusal(kSquare + "\nf -1 -2 -5\n", "a.obj"),
+            "line 6: face refers to vertex -5, but only 4 vertices come before it");
+  EXPECT_EQ(refusal("v 0 0 nan\nf 1 1 1\n", "a.obj"),
+            "line 1: a coordinate is not a finite number");
+  EXPECT_EQ(refusal("v 0 0 0\nv 1,5 0 0\n", "a.obj"),
+            "line 2: '1,5' has a comma; numbers need a decimal point");
+  EXPECT_EQ(refusal("v 0 0 0\nv 1 2\n", "a.obj"), "line 2: vertex has fewer than 3 coordinates");
+  EXPECT_EQ(refusal(kSquare + "f 1 2 x\n", "a.obj"),
+            "line 5: 'x' stands where a whole number is expected");
+  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2", "a.obj"),
+            "line 6: the file ends in the middle of a face");
+}
+
+TEST(ReadObj, RefusesPointsAndLinesAlone) {
+  EXPECT_EQ(refusal(kSquare + "p 1\nl 1 2\n", "a.obj"),
+            "the file has vertices but no faces; points and lines alone cannot be unfolded");
+}
+
+}  // namespace
+}  // namespace foldwright::testing

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "model_text.h"
+
+namespace foldwright::testing {
+namespace {
+
+using Corners = std::vector<int>;
+
+/// Bytes of a value, in the given order; the tests run on little-endian machines.
+template <typename T>
+std::string bytes_of(T value, bool big_endian) {
+  std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+  if (big_endian) std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+/// A triangle with properties of many types in an unusual order, and an element before the
+/// vertices.
+std::string binary_ply(bool big_endian) {
+  std::string text = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                     "_endian 1.0\ncomment x\nelement extra 2\nproperty list ushort short tags\n"
+                     "element vertex 3\nproperty uchar red\nproperty double z\nproperty float y\n"
+                     "property int x\nelement face 1\nproperty uint flag\n"
+                     "property list uint ushort vertex_index\nend_header\n";
+  const auto append = [&](auto value) { text += bytes_of(value, big_endian); };
+  for (int tags = 0; tags < 2; ++tags) {
+    append(std::uint16_t{2});
+    append(std::int16_t{-1});
+    append(std::int16_t{-2});
+  }
+  for (int v = 0; v < 3; ++v) {
+    append(std::uint8_t{255});
+    append(double{0.25});
+    append(static_cast<float>(v == 2));
+    append(std::int32_t{v == 1});
+  }
+  append(std::uint32_t{7});
+  append(std::uint32_t{3});
+  for (const std::uint16_t corner : {2, 0, 1}) append(corner);
+  return text;
+}
+
+const std::string kAsciiHeader =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(ReadPly, TakesAnyPropertiesInEitherByteOrder) {
+  for (const bool big_endian : {false, true}) {
+    const PolygonSoup soup = read_text(binary_ply(big_endian), "a.ply");
+    ASSERT_EQ(soup.face_count(), 1);
+    EXPECT_EQ(corners_of(soup, 0), (Corners{2, 0, 1}));
+    EXPECT_EQ(soup.positions[1], Vec3(1, 0, 0.25));
+    EXPECT_EQ(soup.positions[2], Vec3(0, 1, 0.25));
+  }
+}
+
+TEST(ReadPly, TakesAsciiWithAnyLineBreaks) {
+  std::string text = kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(corners_of(read_text(text, "a.ply"), 0), (Corners{0, 1, 2}));
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(corners_of(read_text(text, "a.ply"), 0), (Corners{0, 1, 2}));
+}
+
+TEST(ReadPly, NeverReadsBeyondTheEnd) {
+  const std::string whole = binary_ply(false);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_NE(refusal(whole.substr(0, size), "a.ply"), "") << size;
+  }
+}
+
+TEST(ReadPly, IgnoresTheCountOfAnElementWithoutProperties) {
+  const std::string header = "ply\nformat ascii 1.0\nelement nothing 999999999999\n";
+  const std::string text =
+      header + kAsciiHeader.substr(kAsciiHeader.find("element")) + "0 0 0 1 0 0 0 1 0 3 0 1 2";
+  EXPECT_EQ(read_text(text, "a.ply").face_count(), 1);
+}
+
+TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
+  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply"),
+            "line 3: the file ends before 'end_header'");
+  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex -3\n", "a.ply"),
+            "line 3: element 'vertex' needs a count that is not negative");
+  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\n", "a.ply"),
+            "line 4: 'quad' is not a property type");
+  EXPECT_EQ(refusal(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.ply"),
+            "line 13: face refers to vertex 3, but the file has 3 vertices, counted from 0");
+  EXPECT_EQ(refusal(kAsciiHeader + "0 0 0\n1 0 inf\n", "a.ply"),
+            "line 11: a coordinate is not a finite number");
+  const std::string cut = binary_ply(true);
+  EXPECT_EQ(refusal(cut.substr(0, cut.size() - 1), "a.ply"),
+            "face 0: the file ends here, but its header announces 1 of element 'face'");
+  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
+                    "a.ply"),
+            "element 'vertex' needs one property 'y'");
+}
+
+}  // namespace
+}  // namespace foldwright::testing
