@@ -2,6 +2,7 @@ import type { TimedResult } from '../core/client.js';
 import type { JobResult, Model } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
 import { pieceLetter } from '../model/piece-letter.js';
+import { sentence } from './sentence.js';
 
 /** A label and its value. */
 export type Fact = [label: string, value: string];
@@ -52,20 +53,14 @@ export function resultFacts(result: TimedResult): Fact[] {
 
 /** What was changed on the model before it was unfolded. */
 export function repairRemarks({ repairs }: JobResult): string[] {
-  return repairs.map(({ text }) => text);
+  return repairs.map(({ text }) => sentence(text));
 }
 
-/** What the person should know about the nets; the engine's own notices come last. */
-export function netRemarks({ pieces, parts, notices }: JobResult): string[] {
-  const remarks: string[] = [];
-  const extra = pieces.length - parts;
-  if (extra > 0) {
-    remarks.push(
-      `${count(extra, 'piece')} more than parts: some parts do not lie flat in one piece.`,
-    );
-  }
-  for (const { id, overlaps } of pieces) {
-    if (overlaps > 0) remarks.push(`Piece ${pieceLetter(id)} overlaps itself.`);
-  }
-  return [...remarks, ...notices.map(({ text }) => text)];
+/** What a person should know about the nets. */
+export function netRemarks({ pieces, notices }: JobResult): string[] {
+  const overlapping = pieces.filter(({ overlaps }) => overlaps > 0);
+  return [
+    ...overlapping.map(({ id }) => `Piece ${pieceLetter(id)} overlaps itself.`),
+    ...notices.map(({ text }) => sentence(text)),
+  ];
 }

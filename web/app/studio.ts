@@ -10,6 +10,7 @@ import { OptionsForm, type Wishes } from './options-form.js';
 import { ProgressPanel } from './progress-panel.js';
 import { ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
+import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
 
 /** Ties the parts of the page together: a choice starts a run, a run ends in a result or a message. */
@@ -92,7 +93,7 @@ export class Studio {
     const next = outcome.crashed
       ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
       : 'Choose another model, or repair this one and try again.';
-    this.message.show(`“${name}” could not be unfolded`, outcome.text, next);
+    this.message.show(`“${name}” could not be unfolded`, sentence(outcome.text), next);
   }
 
   /** Tells a failed choice; anything else is a fault of the page and goes on as one. */
