@@ -1,21 +1,13 @@
-import type { JobEvent, JobOptions } from '../model/job.js';
+import type { JobEvent } from '../model/job.js';
 import { EventThrottle } from './event-throttle.js';
+import type { Job, MainModule } from './generated/foldwright.mjs';
 import type { Answer, Request, RunRequest, TimedEvent } from './protocol.js';
 import { StageClock } from './stage-clock.js';
 import { nextBudget } from './step-budget.js';
 import { buffersOf } from './transfer.js';
 
-/** A job of the engine. Neither creating nor stepping it throws: failures come as events. */
-export interface EngineJob {
-  /** Works for about `budget` microseconds. After a `done` or `error` event the job is over. */
-  step(budget: number): JobEvent[];
-  delete(): void;
-}
-
-/** What the worker needs of the engine's module. */
-export interface Engine {
-  createJob(bytes: Uint8Array, fileName: string, options: JobOptions): EngineJob;
-}
+/** What the worker needs of the engine's module. Its jobs never throw: failures come as events. */
+export type Engine = Pick<MainModule, 'createJob'>;
 
 /** What a worker differs in between browsers and node. */
 export interface WorkerHost {
@@ -35,7 +27,7 @@ function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
 
 /** Steps one job to its end; true unless `isCancelled` ended it before. */
 async function runToEnd(
-  job: EngineJob,
+  job: Job,
   host: WorkerHost,
   isCancelled: () => boolean,
   send: (event: TimedEvent) => void,
@@ -75,7 +67,8 @@ export function serveEngine(host: WorkerHost): (request: Request) => void {
       host.post({ type: 'event', job, event }, buffersOf(event));
     };
     running.add(job);
-    const engineJob = (await engine).createJob(bytes, fileName, options);
+    // The declarations allow for no job because it crosses the boundary as a pointer.
+    const engineJob = (await engine).createJob(bytes, fileName, options)!;
     const finished = await runToEnd(engineJob, host, () => !running.has(job), send);
     engineJob.delete();
     if (!finished) host.post({ type: 'cancelled', job }, []);
