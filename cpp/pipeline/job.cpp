@@ -14,8 +14,7 @@ constexpr double kStageShares[] = {0.04, 0.48, 0.12, 0.33, 0.03};
 
 }  // namespace
 
-int TaskQueue::add(std::shared_ptr<const Surface> surface, std::vector<int> panels,
-                   std::variant<LearnTask, SearchTask> work) {
+int TaskQueue::add(std::shared_ptr<const Surface> surface, std::vector<int> panels, Work work) {
   waiting_.push_back({next_id_, std::move(surface), std::move(panels), std::move(work)});
   return next_id_++;
 }

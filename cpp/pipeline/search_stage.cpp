@@ -1,20 +1,23 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "pipeline/learning.h"
 
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kStage = 3;  // names the net search in task_seed
-
-// Seeds that a region gets before it counts as having no net. Regions with a net almost always
-// show it within three; the rest are pockets of negative curvature, which no seed helps.
-constexpr int kAttempts = 12;
+constexpr std::uint64_t kSearch = 3;    // names the net search in task_seed
+constexpr std::uint64_t kExchange = 4;  // and the border exchange
 
 // Temperatures of the attempts in turn: 2 solves nearly all, rare tight regions want less.
 constexpr std::array<double, 4> kTemperatures = {2, 1, 3, 0.5};
+
+// Seeds that a region gets before it counts as having no net. A part with a net almost always shows
+// it at once, and one without is cured at its border. A whole component has no border.
+constexpr int kAttemptsOfPart = 3;
+constexpr int kAttemptsOfWhole = 12;
 
 /// A region in search of a net, and the attempt that runs.
 struct Search {
@@ -23,56 +26,73 @@ struct Search {
   int attempt = 0;
 };
 
-std::vector<Region> regions_of(const JobState& state) {
-  std::vector<Region> regions;
-  int first_part = 0;
-  for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
-    const Component& component = state.components[c];
-    const int count = part_count(component.labels);
-    for (int part = 0; part < count; ++part) {
-      regions.push_back({c, first_part + part, Cause::kPart, {}});
-    }
-    for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
-      regions[first_part + component.labels[panel]].panels.push_back(panel);
-    }
-    first_part += count;
+/// Number of the first part of each component.
+std::vector<int> first_parts(const JobState& state) {
+  std::vector<int> first = {0};
+  for (const Component& component : state.components) {
+    first.push_back(first.back() + part_count(component.labels));
   }
-  return regions;
+  return first;
 }
 
-/// Finds a net for every part; a part that has none is split with what was learned, recursively
-/// [paper, 4.3].
+std::vector<int> panels_of(const Labels& labels, int part) {
+  std::vector<int> panels;
+  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
+    if (labels[panel] == part) panels.push_back(panel);
+  }
+  return panels;
+}
+
+/// Finds a net for every part. A part that has none first exchanges border panels with its
+/// neighbours; if that does not help it is split with what was learned, recursively [paper, 4.3].
 class SearchStage : public Stage {
  public:
   StageId id() const override { return StageId::kSearch; }
 
   void begin(JobState& state, TaskQueue& queue, Events&) override {
-    for (Region& region : regions_of(state)) start(state, queue, std::move(region));
+    first_part_ = first_parts(state);
+    for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
+      for (int part = first_part_[c]; part < first_part_[c + 1]; ++part) {
+        start(state, queue, whole_part(state, c, part));
+      }
+    }
   }
 
   void complete(JobState& state, TaskQueue& queue, int task, TaskResult result,
                 Events& events) override {
     if (auto* counts = std::get_if<FoldabilityCounts>(&result)) {
       learned(state, queue, task, *counts);
+    } else if (auto* exchanged = std::get_if<ExchangeResult>(&result)) {
+      this->exchanged(state, queue, *exchanged, events);
     } else {
       searched(state, queue, task, std::get<SearchResult>(result), events);
     }
+    if (searches_.empty() && !exchanging_) next_exchange(state, queue);
   }
 
-  void end(JobState& state, Events&) override {
+  void end(JobState& state, Events& events) override {
     // In the order of parts, and within a part by lowest panel, however the searches ended.
+    for (auto& [part, net] : part_nets_) state.nets.push_back(std::move(net));
     std::sort(state.nets.begin(), state.nets.end(), [](const FoundNet& a, const FoundNet& b) {
       return std::pair(a.region.part, a.region.panels[0]) <
              std::pair(b.region.part, b.region.panels[0]);
     });
+    label_faces(state);
+    if (labels_changed_) events.push_back(SegmentedEvent{state.result.labels});
     note_splits(state);
   }
 
   void watch(const JobState&, const TaskRunner& running, Events& events) override {
-    const auto search = searches_.find(running.task().id);
-    if (search == searches_.end()) return;
-    events.push_back(GenerationEvent{search->second.region.part, ++batches_,
-                                     -static_cast<double>(running.overlaps()), running.overlaps()});
+    int part = 0;
+    if (const auto search = searches_.find(running.task().id); search != searches_.end()) {
+      part = search->second.region.part;
+    } else if (exchanging_) {
+      part = exchanging_->part;
+    } else {
+      return;
+    }
+    events.push_back(GenerationEvent{part, ++batches_, -static_cast<double>(running.overlaps()),
+                                     running.overlaps()});
   }
 
   double progress(const JobState& state, const TaskRunner*) const override {
@@ -81,6 +101,11 @@ class SearchStage : public Stage {
   }
 
  private:
+  Region whole_part(const JobState& state, int component, int part) const {
+    return {component, part, Cause::kPart,
+            panels_of(state.components[component].labels, part - first_part_[component])};
+  }
+
   void start(const JobState& state, TaskQueue& queue, Region region) {
     queue_attempt(state, queue, {std::move(region), next_key_++, 0});
   }
@@ -88,7 +113,7 @@ class SearchStage : public Stage {
   void queue_attempt(const JobState& state, TaskQueue& queue, Search search) {
     TreeSearchOptions options;
     options.temperature = kTemperatures[search.attempt % kTemperatures.size()];
-    options.seed = task_seed(state.options.seed, kStage, search.key,
+    options.seed = task_seed(state.options.seed, kSearch, search.key,
                              static_cast<std::uint64_t>(search.attempt));
     std::vector<int> panels;
     for (const int panel : search.region.panels) {
@@ -103,14 +128,84 @@ class SearchStage : public Stage {
     Search search = std::move(searches_.at(task));
     searches_.erase(task);
     state.moves += result.moves;
+    const Region& region = search.region;
+    const bool is_whole = region.panels.size() == state.components[region.component].panels.size();
     if (result.overlaps == 0) {
-      panels_done_ += static_cast<int>(search.region.panels.size());
-      events.push_back(NetEvent{search.region.part, static_cast<int>(state.nets.size())});
-      state.nets.push_back({std::move(search.region), result.folds});
-    } else if (++search.attempt < kAttempts) {
+      panels_done_ += static_cast<int>(region.panels.size());
+      found(state, std::move(search.region), result.folds, events);
+    } else if (++search.attempt < (is_whole ? kAttemptsOfWhole : kAttemptsOfPart)) {
       queue_attempt(state, queue, std::move(search));
+    } else if (region.cause == Cause::kPart && !is_whole) {
+      // Exchanges wait until all parts have been tried, and then go in the order of parts: each
+      // changes the borders that the next one sees.
+      without_net_.insert(region.part);
     } else {
       split(state, queue, std::move(search.region));
+    }
+  }
+
+  void found(JobState& state, Region region, const FoldTree& folds, Events& events) {
+    const int piece = static_cast<int>(part_nets_.size() + state.nets.size());
+    events.push_back(NetEvent{region.part, piece});
+    if (region.cause == Cause::kPart) {
+      const int part = region.part;
+      part_nets_[part] = {std::move(region), folds};
+    } else {
+      state.nets.push_back({std::move(region), folds});
+    }
+  }
+
+  int component_of(int part) const {
+    const auto above = std::upper_bound(first_part_.begin(), first_part_.end(), part);
+    return static_cast<int>(above - first_part_.begin()) - 1;
+  }
+
+  void next_exchange(const JobState& state, TaskQueue& queue) {
+    if (without_net_.empty()) return;
+    const int part = *without_net_.begin();
+    without_net_.erase(without_net_.begin());
+    const int component = component_of(part);
+    ExchangeTask task{state.components[component].labels, {}};
+    task.options.part = part - first_part_[component];
+    task.options.seed =
+        task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part), 0);
+    queue.add(state.surface, state.components[component].panels, std::move(task));
+    exchanging_ = {component, part};
+  }
+
+  void exchanged(JobState& state, TaskQueue& queue, const ExchangeResult& result, Events& events) {
+    const auto [component, part] = *exchanging_;
+    exchanging_.reset();
+    state.moves += result.moves;
+    if (!result.found) {
+      unsplit_.push_back(part);
+      if (without_net_.empty()) split_rest(state, queue);
+      return;
+    }
+    labels_changed_ = true;
+    panels_done_ += static_cast<int>(
+        panels_of(state.components[component].labels, part - first_part_[component]).size());
+    state.components[component].labels = result.labels;
+    for (const auto& [changed, folds] : result.changed) {
+      const int of = first_part_[component] + changed;
+      Region region = whole_part(state, component, of);
+      if (of == part) {
+        found(state, std::move(region), folds, events);
+      } else if (part_nets_.contains(of)) {
+        part_nets_[of] = {std::move(region), folds};
+      }
+    }
+    if (without_net_.empty()) split_rest(state, queue);
+  }
+
+  /// After the last exchange borders stand still: what still has no net is split.
+  void split_rest(JobState& state, TaskQueue& queue) {
+    const std::vector<int> parts = std::move(unsplit_);
+    unsplit_.clear();
+    for (const int part : parts) {
+      Region region = whole_part(state, component_of(part), part);
+      region.cause = Cause::kNoNet;
+      split(state, queue, std::move(region));
     }
   }
 
@@ -149,6 +244,17 @@ class SearchStage : public Stage {
     for (Region& region : waiting) split(state, queue, std::move(region));
   }
 
+  void label_faces(JobState& state) const {
+    for (std::size_t c = 0; c < state.components.size(); ++c) {
+      const Component& component = state.components[c];
+      for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
+        for (const int face : component.graph.panel_faces(panel)) {
+          state.result.labels[face] = first_part_[c] + component.labels[panel];
+        }
+      }
+    }
+  }
+
   static void note_splits(JobState& state) {
     std::map<int, int> pieces_of_part;
     for (const FoundNet& net : state.nets) ++pieces_of_part[net.region.part];
@@ -160,12 +266,23 @@ class SearchStage : public Stage {
     }
   }
 
-  std::map<int, Search> searches_;   ///< by task
+  /// Component and part of the border exchange under way.
+  struct Exchanging {
+    int component, part;
+  };
+
+  std::vector<int> first_part_;
+  std::map<int, Search> searches_;     ///< by task
+  std::map<int, FoundNet> part_nets_;  ///< of whole parts, by part: an exchange may replace one
+  std::set<int> without_net_;          ///< parts whose exchange is to come
+  std::optional<Exchanging> exchanging_;
+  std::vector<int> unsplit_;         ///< parts that no exchange cured
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
   std::uint64_t next_key_ = 0;
   int panels_done_ = 0;
   int batches_ = 0;
+  bool labels_changed_ = false;
 };
 
 }  // namespace

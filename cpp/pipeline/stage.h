@@ -11,8 +11,7 @@ namespace foldwright {
 class TaskQueue {
  public:
   /// Adds a task and returns its number.
-  int add(std::shared_ptr<const Surface> surface, std::vector<int> panels,
-          std::variant<LearnTask, SearchTask> work);
+  int add(std::shared_ptr<const Surface> surface, std::vector<int> panels, Work work);
   bool empty() const { return waiting_.empty(); }
   Task take();
 

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "search/border_exchange.h"
 #include "search/tree_search.h"
 #include "segment/foldability.h"
 
@@ -27,13 +28,21 @@ struct SearchTask {
   TreeSearchOptions options;
 };
 
+/// Border exchange around one part of a component.
+struct ExchangeTask {
+  std::vector<int> labels;  ///< per panel of the task
+  ExchangeOptions options;
+};
+
+using Work = std::variant<LearnTask, SearchTask, ExchangeTask>;
+
 /// A unit of parallel work as a plain value: any instance of the engine that has the surface can
 /// run it and gets the same result.
 struct Task {
   int id;
   std::shared_ptr<const Surface> surface;
   std::vector<int> panels;  ///< of the surface, connected, ascending
-  std::variant<LearnTask, SearchTask> work;
+  Work work;
 };
 
 struct SearchResult {
@@ -41,7 +50,13 @@ struct SearchResult {
   int overlaps;
   std::int64_t moves;
 };
-using TaskResult = std::variant<FoldabilityCounts, SearchResult>;
+struct ExchangeResult {
+  bool found;
+  std::vector<int> labels;          ///< per panel of the task, after the exchange
+  std::map<int, FoldTree> changed;  ///< nets of the parts whose panels changed
+  std::int64_t moves;
+};
+using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult>;
 
 /// Runs one task in steps.
 class TaskRunner {
@@ -58,15 +73,16 @@ class TaskRunner {
   double progress() const;
   /// Learning runs done; 0 for a search.
   int runs_done() const;
-  /// Overlaps of the best tree of a search; -1 for a learning task.
+  /// Overlaps of the best tree so far; -1 for a learning task.
   int overlaps() const;
 
  private:
   Task task_;
   DualGraph graph_;
-  // Behind pointers because both refer to `graph_` and are made once it stands.
+  // Behind pointers because they refer to `graph_` and are made once it stands.
   std::unique_ptr<FoldabilityLearner> learner_;
   std::unique_ptr<TreeSearch> search_;
+  std::unique_ptr<BorderExchange> exchange_;
 };
 
 }  // namespace foldwright

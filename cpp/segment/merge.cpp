@@ -74,9 +74,15 @@ class Regions {
   double& at(int i, int j) { return between_[static_cast<std::size_t>(i) * size_ + j]; }
   double at(int i, int j) const { return between_[static_cast<std::size_t>(i) * size_ + j]; }
 
+  /// Share of a region's affinity that stays within; a face without any has none to lose.
+  static double association(double within, double volume) {
+    return volume > 0 ? within / volume : 0;
+  }
+
   double cost(int x, int y) const {
-    return at(x, x) / volume_[x] + at(y, y) / volume_[y] -
-           (at(x, x) + at(y, y) + 2 * at(x, y)) / (volume_[x] + volume_[y]);
+    const double apart = association(at(x, x), volume_[x]) + association(at(y, y), volume_[y]);
+    const double together = at(x, x) + at(y, y) + 2 * at(x, y);
+    return apart - association(together, volume_[x] + volume_[y]);
   }
 
   /// Cheapest partner above `x`; the lower partner among equals.
@@ -104,6 +110,9 @@ std::vector<double> affinities(const FoldabilityMatrix& matrix, std::span<const 
     for (int k = 0; k < power; ++k) value *= matrix.values[i];
     affinity[i] = value;
   }
+  // A face's affinity to itself would hold outliers, which unfold with hardly any other, apart.
+  const auto stride = static_cast<std::size_t>(matrix.size) + 1;
+  for (std::size_t i = 0; i < affinity.size(); i += stride) affinity[i] = 0;
   return affinity;
 }
 

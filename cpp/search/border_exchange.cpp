@@ -1,0 +1,215 @@
+#include "search/border_exchange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace foldwright {
+namespace {
+
+// The part is searched briefly, since most exchanges do not cure it; the neighbour, which had a net
+// and nearly always still has one, as long as any search.
+constexpr std::int64_t kOwnPatience = 4000;
+constexpr std::int64_t kNeighbourPatience = 20000;
+// Starts from few heuristic trees: the search soon forgets them.
+constexpr int kStarts = 10;
+
+// Chance of a border panel without an overlap nearby, so that every border can move in the end.
+constexpr double kBaseWeight = 0.05;
+// Overlaps at a hyperbolic vertex are why there is no net.
+constexpr double kHyperbolicWeight = 3;
+
+std::vector<std::vector<int>> panel_vertices(const Mesh& mesh, const DualGraph& graph) {
+  std::vector<std::vector<int>> vertices(graph.panel_count());
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    std::set<int> corners;
+    for (const int face : graph.panel_faces(panel)) {
+      corners.insert(mesh.faces[face].begin(), mesh.faces[face].end());
+    }
+    vertices[panel].assign(corners.begin(), corners.end());
+  }
+  return vertices;
+}
+
+std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
+  std::vector<double> turn(mesh.positions.size(), 0);
+  for (const auto& corners : mesh.faces) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& apex = mesh.positions[corners[i]];
+      const Vec3 a = mesh.positions[corners[(i + 1) % 3]] - apex;
+      const Vec3 b = mesh.positions[corners[(i + 2) % 3]] - apex;
+      turn[corners[i]] += std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+  }
+  std::vector<char> hyperbolic;
+  for (const double angle : turn) hyperbolic.push_back(angle > 2 * std::numbers::pi + 1e-9);
+  return hyperbolic;
+}
+
+}  // namespace
+
+BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
+                               const ExchangeOptions& options)
+    : mesh_(&mesh),
+      graph_(&graph),
+      options_(options),
+      random_(options.seed),
+      labels_(std::move(labels)),
+      vertices_of_panel_(panel_vertices(mesh, graph)),
+      hyperbolic_(hyperbolic_vertices(mesh)) {
+  start(own_, options_.part, kOwnPatience);
+}
+
+BorderExchange::State BorderExchange::step(std::int64_t work) {
+  while (state_ == State::kRunning && work > 0) {
+    // Both searches of the step to their ends, then the verdict.
+    TreeSearch* search = nullptr;
+    for (Attempt* attempt : {&own_, &other_}) {
+      const bool open = attempt->search && attempt->search->state() == TreeSearch::State::kRunning;
+      if (open && search == nullptr) search = attempt->search.get();
+    }
+    if (search == nullptr) {
+      end_step();
+      if (state_ == State::kRunning) begin_step();
+      continue;
+    }
+    const std::int64_t slice = std::min<std::int64_t>(work, 1000);
+    search->step(slice);
+    work -= slice;
+  }
+  return state_;
+}
+
+double BorderExchange::progress() const {
+  return std::min(1.0, static_cast<double>(steps_) / options_.most_steps);
+}
+
+std::vector<int> BorderExchange::panels_of(int part) const {
+  std::vector<int> panels;
+  for (int panel = 0; panel < graph_->panel_count(); ++panel) {
+    if (labels_[panel] == part) panels.push_back(panel);
+  }
+  return panels;
+}
+
+void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience) {
+  attempt.search.reset();
+  attempt.graph = restrict_to(*graph_, panels_of(part));
+  const TreeSearchOptions options = {
+      .starts = kStarts, .patience = patience, .seed = random_.bits()};
+  attempt.search = std::make_unique<TreeSearch>(*mesh_, attempt.graph, options);
+}
+
+/// Per panel: how much the part's best tree overlaps at the panel's vertices.
+std::vector<double> BorderExchange::panel_weights() const {
+  const std::vector<int> panels = panels_of(options_.part);
+  const DualGraph graph = restrict_to(*graph_, panels);
+  const RootedTree tree = hang_tree(graph, trees_.at(options_.part));
+  std::map<int, double> at_vertex;
+  for (const auto& pair : overlapping_panels(graph, lay_out(graph, tree))) {
+    for (const int panel : pair) {
+      for (const int v : vertices_of_panel_[panels[panel]]) {
+        at_vertex[v] += hyperbolic_[v] ? kHyperbolicWeight : 1;
+      }
+    }
+  }
+  std::vector<double> weights(graph_->panel_count(), kBaseWeight);
+  for (int panel = 0; panel < graph_->panel_count(); ++panel) {
+    for (const int v : vertices_of_panel_[panel]) {
+      const auto found = at_vertex.find(v);
+      if (found != at_vertex.end()) weights[panel] += found->second;
+    }
+  }
+  return weights;
+}
+
+/// Whether the panel's part is still connected, and not empty, without it.
+bool BorderExchange::stays_connected(int panel) const {
+  const int part = labels_[panel];
+  std::vector<int> stack;
+  std::vector<char> seen(graph_->panel_count(), 0);
+  seen[panel] = 1;
+  std::size_t size = 0;
+  for (const int label : labels_) size += label == part;
+  for (int p = 0; p < graph_->panel_count() && stack.empty(); ++p) {
+    if (p != panel && labels_[p] == part) stack.push_back(p), seen[p] = 1;
+  }
+  std::size_t reached = stack.size();
+  while (!stack.empty()) {
+    const int from = stack.back();
+    stack.pop_back();
+    for (const int h : graph_->hinges_of(from)) {
+      const int next = graph_->hinges[h].other(from);
+      if (seen[next] || labels_[next] != part) continue;
+      seen[next] = 1;
+      ++reached;
+      stack.push_back(next);
+    }
+  }
+  return reached > 0 && reached + 1 == size;
+}
+
+/// Draws a border panel by weight: one of the part's own to give, or a neighbour's to take.
+BorderExchange::Exchange BorderExchange::choose() {
+  const std::vector<double> weights = panel_weights();
+  std::set<std::pair<int, int>> candidates;  // panel, part it would go to
+  for (const Hinge& hinge : graph_->hinges) {
+    for (const int side : {0, 1}) {
+      const int panel = hinge.panels[side];
+      const int to = labels_[hinge.panels[1 - side]];
+      if (labels_[panel] == to) continue;
+      if (labels_[panel] == options_.part || to == options_.part) candidates.insert({panel, to});
+    }
+  }
+  while (!candidates.empty()) {
+    double sum = 0;
+    for (const auto& [panel, to] : candidates) sum += weights[panel];
+    double left = random_.uniform() * sum;
+    auto chosen = candidates.begin();
+    while (std::next(chosen) != candidates.end() && (left -= weights[chosen->first]) > 0) ++chosen;
+    if (stays_connected(chosen->first)) return {chosen->first, chosen->second};
+    candidates.erase(chosen);
+  }
+  return {};
+}
+
+void BorderExchange::begin_step() {
+  exchange_ = steps_++ < options_.most_steps ? choose() : Exchange{};
+  if (exchange_.panel == -1) {
+    state_ = State::kGaveUp;
+    return;
+  }
+  const int from = labels_[exchange_.panel];
+  neighbour_ = from == options_.part ? exchange_.to : from;
+  labels_[exchange_.panel] = exchange_.to;
+  exchange_.to = from;  // what undoing needs
+  start(own_, options_.part, kOwnPatience);
+  start(other_, neighbour_, kNeighbourPatience);
+}
+
+void BorderExchange::end_step() {
+  moves_ += own_.search->moves() + (other_.search ? other_.search->moves() : 0);
+  const int own = own_.search->best_overlaps();
+  bool keep = true;
+  if (other_.search) {
+    // A neighbour is taken to have a net unless it was seen without.
+    const auto known = neighbour_overlaps_.try_emplace(neighbour_, 0).first;
+    const int other = other_.search->best_overlaps();
+    const int added = own + other - part_overlaps_ - known->second;
+    keep = other <= known->second &&
+           (added <= 0 || random_.uniform() < std::exp(-added / options_.temperature));
+    if (keep) {
+      known->second = other;
+      trees_[neighbour_] = other_.search->best();
+    } else {
+      labels_[exchange_.panel] = exchange_.to;
+    }
+  }
+  if (!keep) return;
+  part_overlaps_ = own;
+  trees_[options_.part] = own_.search->best();
+  if (own == 0) state_ = State::kFound;
+}
+
+}  // namespace foldwright

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "search/tree_search.h"
+
+namespace foldwright {
+
+struct ExchangeOptions {
+  int part = 0;          ///< the part that has no net
+  int most_steps = 300;  ///< exchanges tried; cures need 1 to 20 accepted ones
+  /// An exchange that adds d overlaps is still made with probability exp(-d / temperature).
+  double temperature = 0.5;
+  std::uint64_t seed = 1;
+};
+
+/// Gives a part that has no net a border that has one, panel by panel, with its neighbours.
+///
+/// A step hands one border panel over, where the best tree so far overlaps most often, searches
+/// both parts anew for a while, and keeps the exchange when the overlaps of both together do not
+/// grow. Parts stay connected, none vanishes, and a neighbour with a net keeps one. Why it works: a
+/// part has no net when it holds a pocket of negative curvature near its border.
+class BorderExchange {
+ public:
+  /// `labels`: the part of each panel of `graph`. Mesh and graph must outlive this object.
+  BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
+                 const ExchangeOptions& options = {});
+
+  enum class State { kRunning, kFound, kGaveUp };
+
+  /// Does about `work` microseconds' worth and says where it stands.
+  State step(std::int64_t work);
+
+  const std::vector<int>& labels() const { return labels_; }
+  /// Fold trees of the parts that changed, of the graph restricted to each part; nets when found.
+  const std::map<int, FoldTree>& trees() const { return trees_; }
+  int overlaps() const { return part_overlaps_; }
+  std::int64_t moves() const { return moves_; }
+  double progress() const;
+
+ private:
+  /// Panel `panel` goes from its part to part `to`.
+  struct Exchange {
+    int panel = -1;
+    int to = -1;
+  };
+  /// A part being searched, with the graph that the search refers to.
+  struct Attempt {
+    DualGraph graph;
+    std::unique_ptr<TreeSearch> search;
+  };
+
+  std::vector<int> panels_of(int part) const;
+  void start(Attempt& attempt, int part, std::int64_t patience);
+  std::vector<double> panel_weights() const;
+  Exchange choose();
+  bool stays_connected(int panel) const;
+  void begin_step();
+  void end_step();
+
+  const Mesh* mesh_;
+  const DualGraph* graph_;
+  ExchangeOptions options_;
+  Random random_;
+  std::vector<int> labels_;
+  std::vector<std::vector<int>> vertices_of_panel_;
+  std::vector<char> hyperbolic_;  ///< per vertex: more than a full turn of face angles
+  std::map<int, FoldTree> trees_;
+  int part_overlaps_ = -1;  ///< of the best tree of the part; -1 before the first search
+  std::map<int, int> neighbour_overlaps_;
+  int steps_ = 0;
+  std::int64_t moves_ = 0;
+  State state_ = State::kRunning;
+  Exchange exchange_;
+  int neighbour_ = -1;  ///< the other part of the exchange under trial
+  Attempt own_, other_;
+};
+
+}  // namespace foldwright
