@@ -19,6 +19,38 @@ struct DecimaterTraits : OpenMesh::DefaultTraits {
 using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<DecimaterTraits>;
 using Decimater = OpenMesh::Decimater::DecimaterT<HalfedgeMesh>;
 
+/// Squared distance of a point from a segment.
+double squared_distance(const OpenMesh::Vec3d& p, const OpenMesh::Vec3d& a,
+                        const OpenMesh::Vec3d& b) {
+  const OpenMesh::Vec3d along = b - a;
+  const double length = along.sqrnorm();
+  const double t = length > 0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0;
+  return (a + t * along - p).sqrnorm();
+}
+
+/// Quadric error that also counts by how much a collapse moves the border. The plain one knows the
+/// planes of the faces alone: it would cut off the corners of a flat sheet for nothing.
+class ModBorderQuadric : public OpenMesh::Decimater::ModQuadricT<HalfedgeMesh> {
+ public:
+  using Quadric = OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>;
+  using Handle = OpenMesh::Decimater::ModHandleT<ModBorderQuadric>;
+  using Quadric::Quadric;
+
+  float collapse_priority(const CollapseInfo& collapse) override {
+    const float error = Quadric::collapse_priority(collapse);
+    const HalfedgeMesh& mesh = Base::mesh();
+    if (error < 0 || !mesh.is_boundary(collapse.v0)) return error;  // negative: not allowed
+    const auto outgoing = mesh.halfedge_handle(collapse.v0);  // a border half-edge, by convention
+    const auto next = mesh.to_vertex_handle(outgoing);
+    const auto previous = mesh.from_vertex_handle(mesh.prev_halfedge_handle(outgoing));
+    const double moved =
+        squared_distance(mesh.point(collapse.v0), mesh.point(previous), mesh.point(next));
+    // As much as the some six faces of an inner vertex would count if they all moved as far.
+    constexpr double kBorderWeight = 6;
+    return error + static_cast<float>(kBorderWeight * moved);
+  }
+};
+
 HalfedgeMesh to_halfedges(const Mesh& mesh) {
   HalfedgeMesh result;
   result.reserve(mesh.positions.size(), mesh.edges.size(), mesh.faces.size());
@@ -59,7 +91,7 @@ Mesh simplify(const Mesh& mesh, const SimplifyOptions& options) {
   halfedges.request_face_normals();
   halfedges.update_face_normals();
   Decimater decimater(halfedges);
-  OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadric;
+  ModBorderQuadric::Handle quadric;
   OpenMesh::Decimater::ModNormalFlippingT<HalfedgeMesh>::Handle flipping;
   decimater.add(quadric);
   decimater.add(flipping);
