@@ -29,6 +29,7 @@ export function leadSentence(result: JobResult, paper: PaperSize): string {
   const parts = count(result.parts, 'part');
   const pieces = count(result.pieces.length, 'piece');
   const sheets = `${count(result.sheets.length, 'sheet')} of ${paper.name}`;
+  if (result.pieces.length === 1) return `All in one piece, on ${sheets}.`;
   if (result.pieces.length === result.parts) return `${parts}, each in one piece, on ${sheets}.`;
   return `${parts} in ${pieces} on ${sheets}.`;
 }

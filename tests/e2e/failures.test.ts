@@ -1,0 +1,93 @@
+/** What goes wrong is told in a sentence, costs nothing, and the page goes on. */
+import { expect, test } from 'vitest';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+import type { StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+
+async function nextRunWorks(studio: StudioPage): Promise<void> {
+  await studio.chooseSample('House');
+  await studio.resultOf('house');
+  expect(await studio.page.locator('#message').isVisible()).toBe(false);
+}
+
+test('a broken model shows the reason and leaves the last result', () =>
+  withStudio(async (studio) => {
+    await studio.chooseSample('Cube');
+    await studio.resultOf('cube');
+    await studio.choose('broken.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n');
+    const words = await studio.message();
+    expect(words).toContain('“broken.obj” could not be unfolded');
+    expect(words).toContain('9');
+    expect(await studio.page.locator('#result-title').innerText()).toBe('cube');
+    expect((await studio.download('FOLD')).name).toBe('cube.fold');
+    await studio.picture('message');
+    await nextRunWorks(studio);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('an empty file, several files and a strange file are refused', () =>
+  withStudio(async (studio) => {
+    await studio.choose('empty.stl', '');
+    expect(await studio.message()).toContain('“empty.stl” is empty');
+    const [one, two] = ['one.obj', 'two.obj'].map((name) => ({ name, content: 'v 0 0 0\n' }));
+    await studio.drop([one!, two!]);
+    await studio.page.getByText('Those were 2 files').waitFor();
+    await studio.choose('letter.docx', 'Dear Sir or Madam');
+    await studio.page.getByText('“letter.docx” could not be unfolded').waitFor();
+    await nextRunWorks(studio);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('cancel ends a run at once, and the next run works', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '1');
+    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await page.locator('#cancel').click();
+    await page.locator('#progress').waitFor({ state: 'hidden', timeout: 3000 });
+    expect(await page.locator('#announcement').textContent()).toBe('Cancelled.');
+    expect(await page.locator('#welcome').isVisible()).toBe(true);
+    await page.fill('#parts', '');
+    await nextRunWorks(studio);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a new choice ends the run before it', () =>
+  withStudio(async (studio) => {
+    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await studio.page.locator('#cancel').waitFor();
+    await nextRunWorks(studio);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a worker that dies is replaced', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    // The routes of a context also see what workers ask for.
+    await page.context().route('**/*.wasm', (route) => route.abort());
+    await studio.chooseSample('Cube');
+    expect(await studio.message()).toContain('stopped unexpectedly');
+    await page.context().unroute('**/*.wasm');
+    await nextRunWorks(studio);
+  }));
+
+test('a browser without SIMD is told which one to use', () =>
+  withStudio(
+    async (studio) => {
+      expect(await studio.message()).toContain('Safari since 16.4');
+      expect(await studio.page.locator('#file').isDisabled()).toBe(true);
+    },
+    { script: 'WebAssembly.validate = () => false;' },
+  ));
+
+test('a number of parts that makes no sense is pointed out', () =>
+  withStudio(async (studio) => {
+    await studio.page.fill('#parts', '0');
+    await studio.chooseSample('Cube');
+    expect(await studio.page.locator('#parts').getAttribute('aria-invalid')).toBe('true');
+    expect(await studio.page.locator('#progress').isVisible()).toBe(false);
+    await studio.page.fill('#parts', '');
+    await nextRunWorks(studio);
+  }));

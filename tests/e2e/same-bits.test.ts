@@ -1,0 +1,33 @@
+/** Chromium and node give the same bits for the same file and options. */
+import { readFile, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { foldwright, inFolder } from '../web/command.js';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+
+const withStudio = useStudio();
+
+test('the FOLD file and the result hash of the browser are those of the command line', () =>
+  inFolder((folder) =>
+    withStudio(async (studio) => {
+      const text = objText(wavyRing(14));
+      await studio.page.fill('#parts', '4');
+      await studio.choose('ring.obj', text);
+      const hash = await studio.resultOf('ring');
+      const { bytes } = await studio.download('FOLD');
+
+      const [model, fold, report] = ['ring.obj', 'ring.fold', 'report.json'].map((name) =>
+        join(folder, name),
+      );
+      await writeFile(model!, text);
+      const args = [model!, '--parts', '4', '-o', fold!, '--report', report!, '--quiet'];
+      const { status, stderr } = await foldwright(args);
+      expect(`${status} ${stderr}`).toBe('0 ');
+      const { result_hash: expected } = JSON.parse(await readFile(report!, 'utf8')) as {
+        result_hash: string;
+      };
+      expect(hash).toBe(expected);
+      expect(bytes.equals(await readFile(fold!))).toBe(true);
+    }),
+  ));

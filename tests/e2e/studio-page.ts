@@ -1,0 +1,123 @@
+import { mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium, type BrowserContext, type Download, type Page } from 'playwright-core';
+
+const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
+const flags = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+
+/** Window sizes that the page is looked at in. */
+export const desktop = { width: 1280, height: 800 };
+export const phone = { width: 390, height: 844 };
+
+export interface BrowserOptions {
+  viewport?: { width: number; height: number };
+  colorScheme?: 'light' | 'dark';
+  /** Runs in the page before its own scripts. */
+  script?: string;
+}
+
+/** Chromium with a profile of its own and the studio open in it. */
+export class StudioPage {
+  /** Errors and warnings of the console, and uncaught errors. */
+  readonly complaints: string[] = [];
+  /** Addresses of everything that was asked for. */
+  readonly requests: string[] = [];
+
+  private constructor(
+    readonly page: Page,
+    private readonly context: BrowserContext,
+    private readonly profile: string,
+  ) {
+    page.on('pageerror', (error) => this.complaints.push(String(error)));
+    page.on('console', (message) => {
+      if (message.type() === 'error' || message.type() === 'warning') {
+        this.complaints.push(message.text());
+      }
+    });
+    context.on('request', (request) => this.requests.push(request.url()));
+  }
+
+  static async open(
+    address: string,
+    { viewport = desktop, colorScheme = 'light', script }: BrowserOptions = {},
+  ): Promise<StudioPage> {
+    const profile = await mkdtemp(join(tmpdir(), 'foldwright-chromium-'));
+    const context = await chromium.launchPersistentContext(profile, {
+      executablePath,
+      args: flags,
+      viewport,
+      colorScheme,
+      reducedMotion: 'reduce',
+    });
+    const studio = new StudioPage(context.pages()[0]!, context, profile);
+    if (script) await context.addInitScript(script);
+    await studio.page.goto(address);
+    // Either the samples are there or the page says why not.
+    await studio.page.locator('.sample, #message:not([hidden])').first().waitFor();
+    return studio;
+  }
+
+  async close(): Promise<void> {
+    await this.context.close();
+    await rm(this.profile, { recursive: true, force: true });
+  }
+
+  /** Chooses a file, as with the file picker. */
+  async choose(name: string, content: string | Buffer): Promise<void> {
+    const buffer = Buffer.from(content);
+    await this.page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer });
+  }
+
+  /** Drops files on the page, as from a file manager. */
+  async drop(files: { name: string; content: string }[]): Promise<void> {
+    await this.page.evaluate((dropped) => {
+      const data = new DataTransfer();
+      for (const { name, content } of dropped) data.items.add(new File([content], name));
+      const event = { dataTransfer: data, bubbles: true, cancelable: true };
+      document.body.dispatchEvent(new DragEvent('dragenter', event));
+      document.body.dispatchEvent(new DragEvent('drop', event));
+    }, files);
+  }
+
+  async chooseSample(name: string): Promise<void> {
+    await this.page.getByRole('button', { name, exact: true }).click();
+  }
+
+  /** Waits for the result of the model with this name and returns its hash. */
+  async resultOf(name: string): Promise<string> {
+    await this.page.locator('#result-title', { hasText: name }).waitFor({ timeout: 60_000 });
+    await this.page.locator('#progress').waitFor({ state: 'hidden', timeout: 60_000 });
+    return (await this.page.locator('#result').getAttribute('data-hash')) ?? '';
+  }
+
+  /** Presses a download button and returns the file's name and bytes. */
+  async download(format: string): Promise<{ name: string; bytes: Buffer }> {
+    const [download]: [Download, void] = await Promise.all([
+      this.page.waitForEvent('download'),
+      this.page.getByRole('button', { name: format, exact: true }).click(),
+    ]);
+    return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+  }
+
+  /** What the message says; waits for one. */
+  async message(): Promise<string> {
+    await this.page.locator('#message').waitFor();
+    return this.page.locator('#message-words').innerText();
+  }
+
+  /** Keeps a picture of the whole page for people to look at. */
+  async picture(name: string): Promise<void> {
+    const folder = join('build', 'screenshots');
+    await mkdir(folder, { recursive: true });
+    await this.page.screenshot({ path: join(folder, `${name}.png`), fullPage: true });
+  }
+}

@@ -1,0 +1,102 @@
+/** From a model to its files, as a visitor does it. */
+import { unzipSync } from 'fflate';
+import { expect, test } from 'vitest';
+import { checkFold } from '../web/fold-check.js';
+import { parseFold } from '../web/fold-file.js';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+import { wellFormed } from './well-formed.js';
+
+const withStudio = useStudio();
+
+test('a sample becomes nets on sheets, and all three files are real', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await studio.chooseSample('Heart');
+    await studio.resultOf('heart');
+    const sheets = await page.locator('.sheet svg').count();
+    expect(sheets).toBeGreaterThan(0);
+    expect(await page.locator('.sheet [data-layer="cut"] path').count()).toBeGreaterThan(0);
+    expect(await page.locator('#result-lead').innerText()).toMatch(/^2 parts\b.* sheets? of A4\.$/);
+
+    const pdf = await studio.download('PDF');
+    expect(pdf.name).toBe('heart.pdf');
+    expect(pdf.bytes.subarray(0, 4).toString()).toBe('%PDF');
+
+    const svg = await studio.download('SVG');
+    const files = sheets === 1 ? [svg.bytes] : Object.values(unzipSync(new Uint8Array(svg.bytes)));
+    expect(files).toHaveLength(sheets);
+    for (const file of files) {
+      expect(await wellFormed(page, Buffer.from(file).toString())).toBe('svg');
+    }
+
+    const fold = await studio.download('FOLD');
+    expect(fold.name).toBe('heart.fold');
+    expect(checkFold(parseFold(fold.bytes.toString()))).toEqual([]);
+
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('nothing is asked of any other machine', () =>
+  withStudio(async (studio) => {
+    await studio.chooseSample('House');
+    await studio.resultOf('house');
+    await studio.download('PDF');
+    const hosts = new Set(studio.requests.map((address) => new URL(address).hostname));
+    // Downloads come from blob: addresses, which have no host.
+    hosts.delete('');
+    expect([...hosts]).toEqual(['localhost']);
+  }));
+
+test('the engine works in a worker, and the page answers while it does', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '1');
+    const [worker] = await Promise.all([
+      page.waitForEvent('worker'),
+      studio.choose('ring.obj', objText(wavyRing(40))),
+    ]);
+    expect(new URL(worker.url()).pathname).toContain('worker');
+    await page.locator('#cancel').waitFor();
+    // The module is compiled where it runs: the page's own thread must not ask for it.
+    const own = await page.evaluate(() =>
+      performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('.wasm')),
+    );
+    expect(own).toEqual([]);
+    await page.selectOption('#paper', 'Letter');
+    expect(await page.inputValue('#paper')).toBe('Letter');
+    await page.locator('#cancel').click();
+  }));
+
+test('parts and paper can be asked for', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '3');
+    await page.selectOption('#paper', 'Letter');
+    await page.selectOption('#orientation', 'landscape');
+    await studio.chooseSample('Duck');
+    await studio.resultOf('duck');
+    expect(await page.locator('#result-lead').innerText()).toMatch(/^3 parts.* of Letter\.$/);
+    const svg = page.locator('.sheet svg').first();
+    expect(await svg.getAttribute('viewBox')).toBe('0 0 279.4 215.9');
+  }));
+
+test('a dropped model is unfolded, and its name stays text', () =>
+  withStudio(async (studio) => {
+    const name = '<img src=x onerror=alert(1)>.obj';
+    await studio.drop([{ name, content: objText(wavyRing(6)) }]);
+    await studio.resultOf('<img src=x');
+    expect(await studio.page.locator('#result img').count()).toBe(0);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('the keyboard alone is enough', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.getByRole('button', { name: 'Cube', exact: true }).focus();
+    await page.keyboard.press('Enter');
+    await studio.resultOf('cube');
+    await page.locator('#unfold').focus();
+    await page.keyboard.press('Space');
+    await studio.resultOf('cube');
+  }));
