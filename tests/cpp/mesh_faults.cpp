@@ -86,8 +86,8 @@ std::string fault_of(const Mesh& mesh) {
   const double diagonal = box.diagonal().norm();
   if (box.center().norm() > 1e-9 * diagonal) return "the bounding box is not centred";
   for (int f = 0; f < mesh.face_count(); ++f) {
-    // Half of what the repair drops, since it may halve an edge afterwards.
-    if (face_area(mesh, f) < 0.49e-12 * diagonal * diagonal) return "a face has no area";
+    // A quarter of what the repair drops, since it may halve a face's edges afterwards.
+    if (face_area(mesh, f) < 0.24e-12 * diagonal * diagonal) return "a face has no area";
   }
   return volume_fault(mesh);
 }
