@@ -17,7 +17,7 @@ struct RepairOptions {
 struct RepairedModel {
   Mesh mesh;
   std::vector<Repair> repairs;  ///< the reader's notes first, then one entry per kind of repair
-  int source_face_count = 0;    ///< faces of the file as read; a dropped one is in no `source_faces`
+  int source_face_count = 0;  ///< faces of the file as read; a dropped one is in no `source_faces`
 };
 
 /// Turns polygons into an oriented manifold triangle mesh, and reports everything it changed.
