@@ -78,6 +78,8 @@ export class Studio {
     const { hasFocus } = this.progress;
     if (outcome.type === 'done') {
       const lead = await this.result.show({ fileName: name, wishes, result: outcome.result });
+      // Drawing loads the exporter: a run may have begun meanwhile, and the card is its own.
+      if (this.runner.running) return;
       this.progress.end(`Done: ${lead}`);
       this.form.action = 'Unfold again';
       if (hasFocus) this.result.focus();
