@@ -284,6 +284,35 @@ export function slitResult(): JobResult {
   return makeResult(bentSheet, [layPiece(bentSheet, 0, around)]);
 }
 
+/**
+ * Four folds that meet in a point with 360 degrees around it: flat it closes without a gap, and yet
+ * one of the folds must be cut to lay it flat fold by fold.
+ */
+export const beak: Mesh = {
+  vertices: [
+    [0, 0, 0],
+    [15 * Math.sqrt(3), 0, -15],
+    [0, 15 * Math.sqrt(3), 15],
+    [15 * Math.sqrt(3), 0, 15],
+    [0, -15 * Math.sqrt(3), 15],
+  ],
+  faces: [
+    [0, 1, 2],
+    [0, 2, 3],
+    [0, 3, 4],
+    [0, 4, 1],
+  ],
+};
+
+export function beakResult(): JobResult {
+  const around: [number, number][] = [
+    [0, 1],
+    [1, 2],
+    [2, 3],
+  ];
+  return makeResult(beak, [layPiece(beak, 0, around)]);
+}
+
 /** A regular tetrahedron with edges of 40 mm and all its folds mountains. */
 export const tetrahedron: Mesh = {
   vertices: [

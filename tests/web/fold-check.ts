@@ -11,6 +11,8 @@ type Vector = number[];
 const lengthTolerance = 1e-6;
 /** Relative to the square of the mean edge. */
 const areaTolerance = 1e-7;
+/** Relative to the distance; what is not straight within this, the lengths of the faces tell. */
+const lineTolerance = 1e-5;
 /** Degrees; single sharp faces get more, see `angleTolerance`. */
 const leastAngleTolerance = 1e-4;
 /** Folds below this many degrees are flat. */
@@ -45,6 +47,16 @@ function signedArea(corners: Vector[]): number {
     sum += p[0]! * q[1]! - p[1]! * q[0]!;
   });
   return sum / 2;
+}
+
+/** Whether the ends of the second segment lie on the line through the first. */
+function onOneLine([a, b]: Vector[], other: Vector[]): boolean {
+  const along = minus(b!, a!);
+  return other.every((point) => {
+    const to = minus(point, a!);
+    const beside = Math.abs(along[0]! * to[1]! - along[1]! * to[0]!) / length(along);
+    return beside <= lineTolerance * length(to);
+  });
 }
 
 const longestEdge = (corners: Vector[]): number =>
@@ -199,11 +211,23 @@ class NetCheck {
     if (parts !== 1) this.say(`falls into ${parts} pieces`);
   }
 
-  /** With flat panels taken as one, the folds form a tree. */
+  /**
+   * With flat panels taken as one, the folds form a tree. Edges between the same two panels on one
+   * line are one fold.
+   */
   private checkTree(): void {
-    const panels = new Set(this.components(this.joints('F'))).size;
-    const folds = this.joints('MV').length;
-    const loops = folds - (panels - 1);
+    const panelOf = this.components(this.joints('F'));
+    const lines = new Map<string, Vector[][]>();
+    this.net.edges_vertices.forEach((ends, edge) => {
+      const sides = this.sides.get(edgeKey(ends[0]!, ends[1]!)) ?? [];
+      if (sides.length !== 2 || !'MV'.includes(this.net.edges_assignment[edge]!)) return;
+      const key = edgeKey(panelOf[sides[0]!.face]!, panelOf[sides[1]!.face]!);
+      const line = ends.map((vertex) => this.net.vertices_coords[vertex]!);
+      const known = lines.get(key) ?? [];
+      if (!known.some((other) => onOneLine(other, line))) lines.set(key, [...known, line]);
+    });
+    const folds = [...lines.values()].flat().length;
+    const loops = folds - (new Set(panelOf).size - 1);
     if (loops > 0) this.say(`its folds close ${loops} loops: it cannot be flat and folded`);
   }
 
