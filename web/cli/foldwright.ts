@@ -1,85 +1,10 @@
 #!/usr/bin/env node
-/** The command line: a model in, nets on paper and a report out. */
-import { basename, resolve } from 'node:path';
-import { version } from '../../package.json';
-import { runJob, type TimedResult } from '../core/client.js';
-import { JobError } from '../core/job-error.js';
-import { nodeTransport } from '../core/node-transport.js';
-import { makeReport } from '../export/report.js';
-import { parseCommandLine, type Commands } from './command-line.js';
-import { Exit, exitStatus, usageError } from './exit.js';
-import { checkFormat, renderOutputs } from './formats.js';
-import { exitOf } from './job-failure.js';
-import { echo, jobOptions } from './options.js';
-import { Progress } from './progress.js';
-import { readModelFile } from './read-model-file.js';
-import { summarize } from './summary.js';
-import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
+/** Entry of the command line. */
+import { exitStatus } from './exit.js';
 
-/** Everything about the outputs that can be wrong before the work has begun. */
-function checkOutputs({ model, outputs, report }: Commands): void {
-  outputs.forEach(checkFormat);
-  const paths = report === null ? outputs : [...outputs, report];
-  const taken = new Set([resolve(model)]);
-  for (const path of paths) {
-    if (taken.has(resolve(path))) throw usageError(`'${path}' is named twice`);
-    taken.add(resolve(path));
-  }
-  paths.forEach(checkWritable);
-}
-
-/** Runs the job in a worker, so that this thread hears signals at once. */
-async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedResult> {
-  const { model, quiet, settings } = commands;
-  const transport = nodeTransport();
-  const progress = quiet ? null : new Progress(process.stderr);
-  try {
-    return await runJob(transport, bytes, basename(model), jobOptions(settings), {
-      onEvent: (event) => progress?.hear(event),
-    });
-  } catch (error) {
-    throw error instanceof JobError ? exitOf(model, error) : error;
-  } finally {
-    progress?.clear();
-    transport.close();
-  }
-}
-
-function renderReport(
-  { report, settings }: Commands,
-  written: OutputFile[],
-  result: TimedResult,
-): OutputFile[] {
-  if (report === null) return [];
-  const content = makeReport({
-    version,
-    options: echo(settings),
-    job: jobOptions(settings),
-    files: [...written.map(({ path }) => path), report],
-    result,
-    seconds: result.seconds,
-  });
-  return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
-}
-
-async function run(args: string[]): Promise<void> {
-  const commands = parseCommandLine(args);
-  checkOutputs(commands);
-  const result = await runEngine(commands, readModelFile(commands.model));
-  const files = await renderOutputs(commands, result);
-  files.push(...renderReport(commands, files, result));
-  writeFiles(files);
-  if (files.length === 0) console.log(summarize(commands.model, result));
-}
-
-function fail(error: unknown): void {
-  const known = error instanceof Exit;
-  const message = error instanceof Error ? error.message : String(error);
-  const line = known ? message : `foldwright: internal error: ${message.replace(/\s+/g, ' ')}`;
-  if (line !== '') console.error(line);
-  process.exitCode = known ? error.status : exitStatus.internal;
-}
-
-// Files are written in one go at the end: until then there is nothing to take back.
+// Before the rest is loaded, so that an early interrupt ends like a late one. Files are written in
+// one go at the end: until then there is nothing to take back.
 process.on('SIGINT', () => process.exit(exitStatus.cancelled));
-run(process.argv.slice(2)).catch(fail);
+
+const { main } = await import('./main.js');
+await main(process.argv.slice(2));

@@ -1,7 +1,6 @@
 import { basename, extname } from 'node:path';
 import type { JobResult } from '../model/job.js';
 import { writeFold } from '../export/fold.js';
-import { writePdf } from '../export/pdf.js';
 import { sheetName } from '../export/sheet-name.js';
 import { writeSvg } from '../export/svg.js';
 import { usageError } from './exit.js';
@@ -27,6 +26,8 @@ async function renderPdf(
   result: JobResult,
   { model, settings }: Commands,
 ): Promise<OutputFile[]> {
+  // Most of the program's size, and most runs do without.
+  const { writePdf } = await import('../export/pdf.js');
   const content = await writePdf(result, {
     title: basename(model, extname(model)),
     margin: settings.margin,

@@ -16,6 +16,9 @@ const capWidth = 0.8;
 // The largest that fits is taken; below 2.5 mm (7 pt) a letter is hard to read beside fold lines.
 const sizes = [6, 4.5, 3.5, 2.5];
 
+// Around the text, so that it does not touch the lines of its face.
+const clearance = 0.7;
+
 /** Distance from the middle of a line of text down to its baseline, for capitals of this size. */
 export function baselineDrop(size: number): number {
   return (size * capHeight) / 2;
@@ -77,8 +80,8 @@ export function placeLabel(piece: Piece, text: string): Label | null {
   const centres = faces.map(inCentre);
   const distances = centres.map(([x, y]) => Math.hypot(x - middle[0], y - middle[1]));
   for (const size of sizes) {
-    const halfWidth = (size * capWidth * text.length) / 2;
-    const halfHeight = baselineDrop(size);
+    const halfWidth = (size * capWidth * text.length) / 2 + clearance;
+    const halfHeight = baselineDrop(size) + clearance;
     let best = -1;
     for (let i = 0; i < faces.length; ++i) {
       if (best >= 0 && distances[i]! >= distances[best]!) continue;
