@@ -1,5 +1,5 @@
 import type { Piece } from '../model/job.js';
-import type { Point } from './sheet-drawing.js';
+import type { Point } from './point.js';
 
 /** A short text centred at (x, y); `size` is the font size; mm. */
 export interface Label {

@@ -21,7 +21,8 @@ import {
 import type { JobResult } from '../model/job.js';
 import { baselineDrop, type Label } from './label-place.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
-import { drawSheet, type DrawingOptions, type Point } from './sheet-drawing.js';
+import type { Point } from './point.js';
+import { drawSheet, type DrawingOptions } from './sheet-drawing.js';
 
 export interface PdfOptions extends DrawingOptions {
   /** Named at the top of every page; usually the model's name. */

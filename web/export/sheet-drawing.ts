@@ -1,9 +1,7 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { pieceLetter } from '../model/piece-letter.js';
 import { placeLabel, type Label } from './label-place.js';
-
-export type Point = [x: number, y: number];
-export type Segment = [from: Point, to: Point];
+import type { Point, Segment } from './point.js';
 
 /** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
 export interface PieceDrawing {

@@ -1,13 +1,8 @@
 import type { JobResult } from '../model/job.js';
 import { baselineDrop } from './label-place.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
-import {
-  drawSheet,
-  type DrawingOptions,
-  type Point,
-  type Segment,
-  type SheetDrawing,
-} from './sheet-drawing.js';
+import type { Point, Segment } from './point.js';
+import { drawSheet, type DrawingOptions, type SheetDrawing } from './sheet-drawing.js';
 
 /** The 0.1 micrometre that four decimals keep is far below what any printer or cutter resolves. */
 function decimal(value: number): string {

@@ -1,0 +1,3 @@
+/** In mm. */
+export type Point = [x: number, y: number];
+export type Segment = [from: Point, to: Point];
