@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { checkedRun } from './checked-run.js';
 import { foldwright, inFolder, isBuilt } from './command.js';
 import { cube } from './fixtures.js';
 import { checkFold } from './fold-check.js';
@@ -97,6 +98,51 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       }
       expect(texts[0]).toBe(texts[1]);
     }));
+
+  it.each([
+    ['--heuristic', 'flat'],
+    ['--heuristic', 'hybrid'],
+    ['--heuristic', 'random'],
+    ['--segment', 'spectral'],
+    ['--proxy', '100'],
+    ['--faces', '150'],
+    ['--paper', '100x80'],
+    ['--orientation', 'landscape'],
+    ['--margin', '0'],
+  ])('makes nets that fold with %s %s', (...option) =>
+    withModel(objText(wavyRing(12)), async (_, model) => {
+      const args = ['--parts', '3', '--runs', '50', ...option];
+      const { ended, violations } = await checkedRun(model, args, 60_000);
+      expect(ended).toEqual({ status: 0, stdout: '', stderr: '' });
+      expect(violations).toEqual([]);
+    }),
+  );
+
+  it.each([
+    [
+      ['--paper', 'A5'],
+      ['148mm', '210mm'],
+    ],
+    [
+      ['--paper', '300x200', '--orientation', 'portrait'],
+      ['200mm', '300mm'],
+    ],
+    [
+      ['--paper', 'letter', '--orientation', 'landscape'],
+      ['279.4mm', '215.9mm'],
+    ],
+  ])('draws on the paper of %j', (options, [width, height]) =>
+    withModel(objText(cube), async (folder, model) => {
+      const output = join(folder, 'out.svg');
+      const args = [model, '-o', output, '--parts', '1', '--quiet', ...options];
+      expect((await foldwright(args)).status).toBe(0);
+      const svg = readFileSync(output, 'utf8');
+      const sizes = [`width="${width}" height="${height}"`, `width="${height}" height="${width}"`];
+      // Without an orientation the engine chooses.
+      const allowed = options.includes('--orientation') ? sizes.slice(0, 1) : sizes;
+      expect(allowed.some((size) => svg.includes(size))).toBe(true);
+    }),
+  );
 
   it('ends at once on SIGINT and leaves nothing behind', () =>
     withModel(objText(wavyRing(40)), async (folder, model) => {
