@@ -89,7 +89,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
     }));
 
   it('gives the same bytes for the same seed', () =>
-    withModel(objText(wavyRing(10)), async (folder, model) => {
+    withModel(objText(wavyRing(12)), async (folder, model) => {
       const texts: string[] = [];
       for (const name of ['a.fold', 'b.fold']) {
         const args = [model, '-o', join(folder, name), '--parts', '3', '--seed', '7', '--quiet'];
