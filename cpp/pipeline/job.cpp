@@ -54,15 +54,17 @@ Events Job::step(std::int64_t work) {
 
 void Job::advance(std::int64_t work, Events& events) {
   Stage& stage = *stages_[current_];
-  if (!begun_) {
-    begun_ = true;
-    report_progress(events);
+  if (phase_ == Phase::kAnnounce) {
+    // A step of its own, so that the stage's name is out before work that is not sliced.
+    phase_ = Phase::kBegin;
+  } else if (phase_ == Phase::kBegin) {
     stage.begin(state_, queue_, events);
+    phase_ = Phase::kTasks;
   } else if (running_ || !queue_.empty()) {
     run_task(work, events);
   } else {
     stage.end(state_, events);
-    begun_ = false;
+    phase_ = Phase::kAnnounce;
     if (++current_ < stages_.size()) return;
     finished_ = true;
     events.push_back(DoneEvent{std::make_shared<const JobResult>(std::move(state_.result))});
@@ -86,7 +88,9 @@ void Job::report_progress(Events& events) {
   double done = 0;
   for (std::size_t i = 0; i < current_; ++i) done += kStageShares[i];
   const Stage& stage = *stages_[current_];
-  done += kStageShares[current_] * stage.progress(state_, running_ ? &*running_ : nullptr);
+  if (phase_ == Phase::kTasks) {
+    done += kStageShares[current_] * stage.progress(state_, running_ ? &*running_ : nullptr);
+  }
   progress_ = std::clamp(done, progress_, 1.0);
   events.push_back(StageEvent{stage.id(), progress_});
 }

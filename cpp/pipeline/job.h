@@ -30,7 +30,7 @@ class Job {
   JobState state_;
   std::vector<std::unique_ptr<Stage>> stages_;
   std::size_t current_ = 0;
-  bool begun_ = false;
+  enum class Phase { kAnnounce, kBegin, kTasks } phase_ = Phase::kAnnounce;
   bool finished_ = false;
   TaskQueue queue_;
   std::optional<TaskRunner> running_;

@@ -165,12 +165,25 @@ class SearchStage : public Stage {
     const int part = *without_net_.begin();
     without_net_.erase(without_net_.begin());
     const int component = component_of(part);
-    ExchangeTask task{state.components[component].labels, {}};
+    ExchangeTask task{state.components[component].labels, fold_edges(state, component), {}};
     task.options.part = part - first_part_[component];
     task.options.seed =
         task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part), 0);
     queue.add(state.surface, state.components[component].panels, std::move(task));
     exchanging_ = {component, part};
+  }
+
+  /// Mesh edges at which the nets of a component's parts fold.
+  std::vector<int> fold_edges(const JobState& state, int component) const {
+    std::vector<int> edges;
+    for (int part = first_part_[component]; part < first_part_[component + 1]; ++part) {
+      const auto net = part_nets_.find(part);
+      if (net == part_nets_.end()) continue;
+      const DualGraph graph =
+          restrict_to(state.components[component].graph, net->second.region.panels);
+      for (const int h : net->second.folds) edges.push_back(graph.hinges[h].edges[0]);
+    }
+    return edges;
   }
 
   void exchanged(JobState& state, TaskQueue& queue, const ExchangeResult& result, Events& events) {

@@ -21,7 +21,8 @@ TaskRunner::TaskRunner(Task task)
     search_ = std::make_unique<TreeSearch>(mesh, graph_, search->options);
   } else {
     const auto& exchange = std::get<ExchangeTask>(task_.work);
-    exchange_ = std::make_unique<BorderExchange>(mesh, graph_, exchange.labels, exchange.options);
+    exchange_ = std::make_unique<BorderExchange>(mesh, graph_, exchange.labels, exchange.fold_edges,
+                                                 exchange.options);
   }
 }
 

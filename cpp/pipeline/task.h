@@ -30,7 +30,8 @@ struct SearchTask {
 
 /// Border exchange around one part of a component.
 struct ExchangeTask {
-  std::vector<int> labels;  ///< per panel of the task
+  std::vector<int> labels;      ///< per panel of the task
+  std::vector<int> fold_edges;  ///< mesh edges at which the parts' trees fold
   ExchangeOptions options;
 };
 

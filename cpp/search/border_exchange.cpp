@@ -12,9 +12,6 @@ namespace {
 // and nearly always still has one, as long as any search.
 constexpr std::int64_t kOwnPatience = 4000;
 constexpr std::int64_t kNeighbourPatience = 20000;
-// Starts from few heuristic trees: the search soon forgets them.
-constexpr int kStarts = 10;
-
 // Chance of a border panel without an overlap nearby, so that every border can move in the end.
 constexpr double kBaseWeight = 0.05;
 // Overlaps at a hyperbolic vertex are why there is no net.
@@ -50,14 +47,16 @@ std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
 }  // namespace
 
 BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
-                               const ExchangeOptions& options)
+                               std::span<const int> fold_edges, const ExchangeOptions& options)
     : mesh_(&mesh),
       graph_(&graph),
       options_(options),
       random_(options.seed),
       labels_(std::move(labels)),
       vertices_of_panel_(panel_vertices(mesh, graph)),
+      folds_(mesh.edges.size(), 0),
       hyperbolic_(hyperbolic_vertices(mesh)) {
+  for (const int e : fold_edges) folds_[e] = 1;
   start(own_, options_.part, kOwnPatience);
 }
 
@@ -96,9 +95,24 @@ std::vector<int> BorderExchange::panels_of(int part) const {
 void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience) {
   attempt.search.reset();
   attempt.graph = restrict_to(*graph_, panels_of(part));
-  const TreeSearchOptions options = {
-      .starts = kStarts, .patience = patience, .seed = random_.bits()};
-  attempt.search = std::make_unique<TreeSearch>(*mesh_, attempt.graph, options);
+  const TreeSearchOptions options = {.patience = patience, .seed = random_.bits()};
+  attempt.search =
+      std::make_unique<TreeSearch>(*mesh_, attempt.graph, options, tree_of_folds(attempt.graph));
+}
+
+/// The known folds of a part, mended to a spanning tree where a panel came or went: nearly the tree
+/// that was found before, so the search has little left to do.
+FoldTree BorderExchange::tree_of_folds(const DualGraph& graph) {
+  std::vector<double> weights;
+  for (const Hinge& hinge : graph.hinges) {
+    weights.push_back(folds_[hinge.edges[0]] ? 0 : 1 + random_.uniform());
+  }
+  return minimum_spanning_tree(graph, weights);
+}
+
+void BorderExchange::remember_folds(const Attempt& attempt) {
+  for (const Hinge& hinge : attempt.graph.hinges) folds_[hinge.edges[0]] = 0;
+  for (const int h : attempt.search->best()) folds_[attempt.graph.hinges[h].edges[0]] = 1;
 }
 
 /// Per panel: how much the part's best tree overlaps at the panel's vertices.
@@ -175,7 +189,8 @@ BorderExchange::Exchange BorderExchange::choose() {
 }
 
 void BorderExchange::begin_step() {
-  exchange_ = steps_++ < options_.most_steps ? choose() : Exchange{};
+  const bool may_go_on = steps_++ < options_.most_steps && moves_ < options_.most_moves;
+  exchange_ = may_go_on ? choose() : Exchange{};
   if (exchange_.panel == -1) {
     state_ = State::kGaveUp;
     return;
@@ -202,6 +217,7 @@ void BorderExchange::end_step() {
     if (keep) {
       known->second = other;
       trees_[neighbour_] = other_.search->best();
+      remember_folds(other_);
     } else {
       labels_[exchange_.panel] = exchange_.to;
     }
@@ -209,6 +225,7 @@ void BorderExchange::end_step() {
   if (!keep) return;
   part_overlaps_ = own;
   trees_[options_.part] = own_.search->best();
+  remember_folds(own_);
   if (own == 0) state_ = State::kFound;
 }
 

@@ -10,6 +10,8 @@ namespace foldwright {
 struct ExchangeOptions {
   int part = 0;          ///< the part that has no net
   int most_steps = 300;  ///< exchanges tried; cures need 1 to 20 accepted ones
+  /// Moves of all searches together: some seconds.
+  std::int64_t most_moves = 2'000'000;
   /// An exchange that adds d overlaps is still made with probability exp(-d / temperature).
   double temperature = 0.5;
   std::uint64_t seed = 1;
@@ -23,9 +25,11 @@ struct ExchangeOptions {
 /// part has no net when it holds a pocket of negative curvature near its border.
 class BorderExchange {
  public:
-  /// `labels`: the part of each panel of `graph`. Mesh and graph must outlive this object.
+  /// `labels`: the part of each panel of `graph`. `fold_edges`: mesh edges at which the trees found
+  /// so far fold, of all parts together; searches start from them. Mesh and graph must outlive this
+  /// object.
   BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
-                 const ExchangeOptions& options = {});
+                 std::span<const int> fold_edges, const ExchangeOptions& options = {});
 
   enum class State { kRunning, kFound, kGaveUp };
 
@@ -53,6 +57,8 @@ class BorderExchange {
 
   std::vector<int> panels_of(int part) const;
   void start(Attempt& attempt, int part, std::int64_t patience);
+  FoldTree tree_of_folds(const DualGraph& graph);
+  void remember_folds(const Attempt& attempt);
   std::vector<double> panel_weights() const;
   Exchange choose();
   bool stays_connected(int panel) const;
@@ -65,6 +71,7 @@ class BorderExchange {
   Random random_;
   std::vector<int> labels_;
   std::vector<std::vector<int>> vertices_of_panel_;
+  std::vector<char> folds_;       ///< per mesh edge: some part's best tree folds there
   std::vector<char> hyperbolic_;  ///< per vertex: more than a full turn of face angles
   std::map<int, FoldTree> trees_;
   int part_overlaps_ = -1;  ///< of the best tree of the part; -1 before the first search

@@ -13,8 +13,13 @@ constexpr std::int64_t kRefreshEvery = 2000;
 
 }  // namespace
 
-TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options)
-    : graph_(&graph), options_(options), weights_(mesh, graph), random_(options.seed) {}
+TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options,
+                       const FoldTree& initial)
+    : graph_(&graph), options_(options), weights_(mesh, graph), random_(options.seed) {
+  if (initial.empty()) return;
+  starts_done_ = options_.starts;
+  consider(initial);
+}
 
 TreeSearch::State TreeSearch::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
@@ -35,12 +40,16 @@ void TreeSearch::try_start() {
   const Heuristic heuristic =
       starts_done_ % 2 == 0 ? Heuristic::kSteepestEdge : Heuristic::kFlatTree;
   const Vec3 direction = random_direction(random_);
-  FoldTree folds = heuristic_tree(weights_, *graph_, heuristic, direction, starts_done_, random_);
-  const auto overlaps =
-      overlapping_panels(*graph_, lay_out(*graph_, hang_tree(*graph_, folds))).size();
+  consider(heuristic_tree(weights_, *graph_, heuristic, direction, starts_done_, random_));
   ++starts_done_;
-  if (best_overlaps_ != -1 && static_cast<int>(overlaps) >= best_overlaps_) return;
-  best_overlaps_ = static_cast<int>(overlaps);
+}
+
+void TreeSearch::consider(FoldTree folds) {
+  const RootedTree tree = hang_tree(*graph_, folds);
+  const auto overlaps =
+      static_cast<int>(overlapping_panels(*graph_, lay_out(*graph_, tree)).size());
+  if (best_overlaps_ != -1 && overlaps >= best_overlaps_) return;
+  best_overlaps_ = overlaps;
   best_ = std::move(folds);
   if (best_overlaps_ == 0) state_ = State::kFound;
 }

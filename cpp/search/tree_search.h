@@ -30,8 +30,10 @@ struct TreeSearchOptions {
 /// probability when they grow a little.
 class TreeSearch {
  public:
-  /// Both must outlive this object. \pre graph is connected
-  TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options = {});
+  /// Mesh and graph must outlive this object. `initial`: a fold tree to start from instead of
+  /// heuristic ones, or none. \pre graph is connected
+  TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options = {},
+             const FoldTree& initial = {});
 
   enum class State { kRunning, kFound, kGaveUp };
 
@@ -49,6 +51,8 @@ class TreeSearch {
  private:
   /// Tries one more heuristic tree.
   void try_start();
+  /// Takes a tree to start from if it is the best so far.
+  void consider(FoldTree folds);
   /// Makes or refuses one swap; returns its cost in panels touched.
   int move();
   int choose_cut();

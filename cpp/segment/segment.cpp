@@ -76,8 +76,14 @@ Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFolda
 Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
                     const CarriedFoldability& foldability) {
   assert(graph.panel_count() >= 2);
-  return merge_clusters(mesh, graph, restrict_to(foldability.matrix, foldability.rows),
-                        {.parts = 2});
+  // Spectral bisection, because the last merge often sets a few outliers apart from all the rest.
+  const FoldabilityMatrix matrix = restrict_to(foldability.matrix, foldability.rows);
+  std::vector<int> rows(graph.panel_count());
+  std::iota(rows.begin(), rows.end(), 0);
+  const Labels halves =
+      connect_parts(graph, {matrix, rows}, spectral_clusters(matrix, {.parts = 2}));
+  if (part_count(halves) == 2) return halves;
+  return merge_clusters(mesh, graph, matrix, {.parts = 2});
 }
 
 }  // namespace foldwright
