@@ -72,7 +72,7 @@ class SearchStage : public Stage {
 
   void end(JobState& state, Events& events) override {
     // In the order of parts, and within a part by lowest panel, however the searches ended.
-    for (auto& [part, net] : part_nets_) state.nets.push_back(std::move(net));
+    for (auto& [part, tree] : part_trees_) state.nets.push_back(std::move(tree.net));
     std::sort(state.nets.begin(), state.nets.end(), [](const FoundNet& a, const FoundNet& b) {
       return std::pair(a.region.part, a.region.panels[0]) <
              std::pair(b.region.part, b.region.panels[0]);
@@ -139,17 +139,18 @@ class SearchStage : public Stage {
       // Exchanges wait until all parts have been tried, and then go in the order of parts: each
       // changes the borders that the next one sees.
       without_net_.insert(region.part);
+      const int part = region.part;
+      part_trees_[part] = {{std::move(search.region), result.folds}, result.overlaps};
     } else {
       split(state, queue, std::move(search.region));
     }
   }
 
   void found(JobState& state, Region region, const FoldTree& folds, Events& events) {
-    const int piece = static_cast<int>(part_nets_.size() + state.nets.size());
-    events.push_back(NetEvent{region.part, piece});
+    events.push_back(NetEvent{region.part, nets_found_++});
     if (region.cause == Cause::kPart) {
       const int part = region.part;
-      part_nets_[part] = {std::move(region), folds};
+      part_trees_[part] = {{std::move(region), folds}, 0};
     } else {
       state.nets.push_back({std::move(region), folds});
     }
@@ -165,7 +166,7 @@ class SearchStage : public Stage {
     const int part = *without_net_.begin();
     without_net_.erase(without_net_.begin());
     const int component = component_of(part);
-    ExchangeTask task{state.components[component].labels, fold_edges(state, component), {}};
+    ExchangeTask task{parts_so_far(state, component), {}};
     task.options.part = part - first_part_[component];
     task.options.seed =
         task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part), 0);
@@ -173,49 +174,49 @@ class SearchStage : public Stage {
     exchanging_ = {component, part};
   }
 
-  /// Mesh edges at which the nets of a component's parts fold.
-  std::vector<int> fold_edges(const JobState& state, int component) const {
-    std::vector<int> edges;
+  PartsSoFar parts_so_far(const JobState& state, int component) const {
+    PartsSoFar parts{state.components[component].labels, {}, {}};
     for (int part = first_part_[component]; part < first_part_[component + 1]; ++part) {
-      const auto net = part_nets_.find(part);
-      if (net == part_nets_.end()) continue;
+      const PartTree& tree = part_trees_.at(part);
       const DualGraph graph =
-          restrict_to(state.components[component].graph, net->second.region.panels);
-      for (const int h : net->second.folds) edges.push_back(graph.hinges[h].edges[0]);
+          restrict_to(state.components[component].graph, tree.net.region.panels);
+      for (const int h : tree.net.folds) parts.fold_edges.push_back(graph.hinges[h].edges[0]);
+      if (tree.overlaps > 0) parts.overlaps[part - first_part_[component]] = tree.overlaps;
     }
-    return edges;
+    return parts;
   }
 
   void exchanged(JobState& state, TaskQueue& queue, const ExchangeResult& result, Events& events) {
     const auto [component, part] = *exchanging_;
     exchanging_.reset();
     state.moves += result.moves;
-    if (!result.found) {
-      unsplit_.push_back(part);
-      if (without_net_.empty()) split_rest(state, queue);
-      return;
-    }
-    labels_changed_ = true;
-    panels_done_ += static_cast<int>(
-        panels_of(state.components[component].labels, part - first_part_[component]).size());
-    state.components[component].labels = result.labels;
-    for (const auto& [changed, folds] : result.changed) {
-      const int of = first_part_[component] + changed;
-      Region region = whole_part(state, component, of);
-      if (of == part) {
-        found(state, std::move(region), folds, events);
-      } else if (part_nets_.contains(of)) {
-        part_nets_[of] = {std::move(region), folds};
+    if (result.found) {
+      labels_changed_ = true;
+      state.components[component].labels = result.labels;
+      for (const auto& [changed, folds] : result.changed) {
+        const int of = first_part_[component] + changed;
+        const auto left = result.overlaps.find(changed);
+        const int overlaps = of == part || left == result.overlaps.end() ? 0 : left->second;
+        part_trees_[of] = {{whole_part(state, component, of), folds}, overlaps};
+        // A neighbour may have come to its own net on the way.
+        if (overlaps == 0) without_net_.erase(of);
       }
+      panels_done_ += static_cast<int>(part_trees_[part].net.region.panels.size());
+      events.push_back(NetEvent{part, nets_found_++});
+    } else {
+      uncured_.push_back(part);
     }
     if (without_net_.empty()) split_rest(state, queue);
   }
 
   /// After the last exchange borders stand still: what still has no net is split.
   void split_rest(JobState& state, TaskQueue& queue) {
-    const std::vector<int> parts = std::move(unsplit_);
-    unsplit_.clear();
+    const std::vector<int> parts = std::move(uncured_);
+    uncured_.clear();
     for (const int part : parts) {
+      // A later exchange with this part as the neighbour may have cured it.
+      if (part_trees_.at(part).overlaps == 0) continue;
+      part_trees_.erase(part);
       Region region = whole_part(state, component_of(part), part);
       region.cause = Cause::kNoNet;
       split(state, queue, std::move(region));
@@ -283,17 +284,23 @@ class SearchStage : public Stage {
   struct Exchanging {
     int component, part;
   };
+  /// The best tree of a whole part; a net if `overlaps` is 0.
+  struct PartTree {
+    FoundNet net;
+    int overlaps = 0;
+  };
 
   std::vector<int> first_part_;
-  std::map<int, Search> searches_;     ///< by task
-  std::map<int, FoundNet> part_nets_;  ///< of whole parts, by part: an exchange may replace one
-  std::set<int> without_net_;          ///< parts whose exchange is to come
+  std::map<int, Search> searches_;      ///< by task
+  std::map<int, PartTree> part_trees_;  ///< by part: an exchange may replace them
+  std::set<int> without_net_;           ///< parts whose exchange is to come
   std::optional<Exchanging> exchanging_;
-  std::vector<int> unsplit_;         ///< parts that no exchange cured
+  std::vector<int> uncured_;         ///< parts that their exchange did not cure
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
   std::uint64_t next_key_ = 0;
   int panels_done_ = 0;
+  int nets_found_ = 0;
   int batches_ = 0;
   bool labels_changed_ = false;
 };

@@ -21,8 +21,7 @@ TaskRunner::TaskRunner(Task task)
     search_ = std::make_unique<TreeSearch>(mesh, graph_, search->options);
   } else {
     const auto& exchange = std::get<ExchangeTask>(task_.work);
-    exchange_ = std::make_unique<BorderExchange>(mesh, graph_, exchange.labels, exchange.fold_edges,
-                                                 exchange.options);
+    exchange_ = std::make_unique<BorderExchange>(mesh, graph_, exchange.parts, exchange.options);
   }
 }
 
@@ -42,7 +41,7 @@ TaskResult TaskRunner::result() const {
   if (learner_) return learner_->counts();
   if (search_) return SearchResult{search_->best(), search_->best_overlaps(), search_->moves()};
   return ExchangeResult{exchange_->overlaps() == 0, exchange_->labels(), exchange_->trees(),
-                        exchange_->moves()};
+                        exchange_->overlaps_of(), exchange_->moves()};
 }
 
 double TaskRunner::progress() const {

@@ -30,8 +30,7 @@ struct SearchTask {
 
 /// Border exchange around one part of a component.
 struct ExchangeTask {
-  std::vector<int> labels;      ///< per panel of the task
-  std::vector<int> fold_edges;  ///< mesh edges at which the parts' trees fold
+  PartsSoFar parts;  ///< in panels of the task
   ExchangeOptions options;
 };
 
@@ -54,7 +53,8 @@ struct SearchResult {
 struct ExchangeResult {
   bool found;
   std::vector<int> labels;          ///< per panel of the task, after the exchange
-  std::map<int, FoldTree> changed;  ///< nets of the parts whose panels changed
+  std::map<int, FoldTree> changed;  ///< best trees of the parts whose panels changed
+  std::map<int, int> overlaps;      ///< left, of each other part without a net
   std::int64_t moves;
 };
 using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult>;

@@ -12,8 +12,9 @@ namespace {
 // and nearly always still has one, as long as any search.
 constexpr std::int64_t kOwnPatience = 4000;
 constexpr std::int64_t kNeighbourPatience = 20000;
-// Chance of a border panel without an overlap nearby, so that every border can move in the end.
-constexpr double kBaseWeight = 0.05;
+
+// Share of the draws that go to any border panel, so that every border can move in the end.
+constexpr double kAnywhere = 0.2;
 // Overlaps at a hyperbolic vertex are why there is no net.
 constexpr double kHyperbolicWeight = 3;
 
@@ -46,18 +47,19 @@ std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
 
 }  // namespace
 
-BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
-                               std::span<const int> fold_edges, const ExchangeOptions& options)
+BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, PartsSoFar parts,
+                               const ExchangeOptions& options)
     : mesh_(&mesh),
       graph_(&graph),
       options_(options),
       random_(options.seed),
-      labels_(std::move(labels)),
+      labels_(std::move(parts.labels)),
       vertices_of_panel_(panel_vertices(mesh, graph)),
       folds_(mesh.edges.size(), 0),
-      hyperbolic_(hyperbolic_vertices(mesh)) {
-  for (const int e : fold_edges) folds_[e] = 1;
-  start(own_, options_.part, kOwnPatience);
+      hyperbolic_(hyperbolic_vertices(mesh)),
+      overlaps_of_(std::move(parts.overlaps)) {
+  for (const int e : parts.fold_edges) folds_[e] = 1;
+  start(own_, options_.part, kOwnPatience, 0);
 }
 
 BorderExchange::State BorderExchange::step(std::int64_t work) {
@@ -92,10 +94,16 @@ std::vector<int> BorderExchange::panels_of(int part) const {
   return panels;
 }
 
-void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience) {
+int BorderExchange::known_overlaps(int part) const {
+  const auto known = overlaps_of_.find(part);
+  return known == overlaps_of_.end() ? 0 : known->second;
+}
+
+void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience, int good_enough) {
   attempt.search.reset();
   attempt.graph = restrict_to(*graph_, panels_of(part));
-  const TreeSearchOptions options = {.patience = patience, .seed = random_.bits()};
+  const TreeSearchOptions options = {
+      .patience = patience, .good_enough = good_enough, .seed = random_.bits()};
   attempt.search =
       std::make_unique<TreeSearch>(*mesh_, attempt.graph, options, tree_of_folds(attempt.graph));
 }
@@ -128,7 +136,7 @@ std::vector<double> BorderExchange::panel_weights() const {
       }
     }
   }
-  std::vector<double> weights(graph_->panel_count(), kBaseWeight);
+  std::vector<double> weights(graph_->panel_count(), 0);
   for (int panel = 0; panel < graph_->panel_count(); ++panel) {
     for (const int v : vertices_of_panel_[panel]) {
       const auto found = at_vertex.find(v);
@@ -179,9 +187,14 @@ BorderExchange::Exchange BorderExchange::choose() {
   while (!candidates.empty()) {
     double sum = 0;
     for (const auto& [panel, to] : candidates) sum += weights[panel];
+    const bool anywhere = random_.uniform() < kAnywhere || sum == 0;
+    if (anywhere) sum = static_cast<double>(candidates.size());
     double left = random_.uniform() * sum;
     auto chosen = candidates.begin();
-    while (std::next(chosen) != candidates.end() && (left -= weights[chosen->first]) > 0) ++chosen;
+    for (; std::next(chosen) != candidates.end(); ++chosen) {
+      left -= anywhere ? 1 : weights[chosen->first];
+      if (left < 0) break;
+    }
     if (stays_connected(chosen->first)) return {chosen->first, chosen->second};
     candidates.erase(chosen);
   }
@@ -199,8 +212,8 @@ void BorderExchange::begin_step() {
   neighbour_ = from == options_.part ? exchange_.to : from;
   labels_[exchange_.panel] = exchange_.to;
   exchange_.to = from;  // what undoing needs
-  start(own_, options_.part, kOwnPatience);
-  start(other_, neighbour_, kNeighbourPatience);
+  start(own_, options_.part, kOwnPatience, 0);
+  start(other_, neighbour_, kNeighbourPatience, known_overlaps(neighbour_));
 }
 
 void BorderExchange::end_step() {
@@ -208,14 +221,13 @@ void BorderExchange::end_step() {
   const int own = own_.search->best_overlaps();
   bool keep = true;
   if (other_.search) {
-    // A neighbour is taken to have a net unless it was seen without.
-    const auto known = neighbour_overlaps_.try_emplace(neighbour_, 0).first;
+    const int known = known_overlaps(neighbour_);
     const int other = other_.search->best_overlaps();
-    const int added = own + other - part_overlaps_ - known->second;
-    keep = other <= known->second &&
+    const int added = own + other - part_overlaps_ - known;
+    keep = other <= known &&
            (added <= 0 || random_.uniform() < std::exp(-added / options_.temperature));
     if (keep) {
-      known->second = other;
+      if (known > 0) overlaps_of_[neighbour_] = other;
       trees_[neighbour_] = other_.search->best();
       remember_folds(other_);
     } else {

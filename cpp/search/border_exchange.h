@@ -7,6 +7,15 @@
 
 namespace foldwright {
 
+/// What is known of the parts before an exchange.
+struct PartsSoFar {
+  std::vector<int> labels;  ///< the part of each panel
+  /// Mesh edges at which the best trees found so far fold, of all parts together: searches start
+  /// from them.
+  std::vector<int> fold_edges;
+  std::map<int, int> overlaps;  ///< of the best tree of each part that has no net yet
+};
+
 struct ExchangeOptions {
   int part = 0;          ///< the part that has no net
   int most_steps = 300;  ///< exchanges tried; cures need 1 to 20 accepted ones
@@ -21,15 +30,14 @@ struct ExchangeOptions {
 ///
 /// A step hands one border panel over, where the best tree so far overlaps most often, searches
 /// both parts anew for a while, and keeps the exchange when the overlaps of both together do not
-/// grow. Parts stay connected, none vanishes, and a neighbour with a net keeps one. Why it works: a
-/// part has no net when it holds a pocket of negative curvature near its border.
+/// grow. Parts stay connected, none vanishes, and a neighbour comes to no more overlaps than it
+/// had: one with a net keeps a net. Why it works: a part has no net when it holds a pocket of
+/// negative curvature near its border, such as a hyperbolic vertex whose neighbours all lie on it.
 class BorderExchange {
  public:
-  /// `labels`: the part of each panel of `graph`. `fold_edges`: mesh edges at which the trees found
-  /// so far fold, of all parts together; searches start from them. Mesh and graph must outlive this
-  /// object.
-  BorderExchange(const Mesh& mesh, const DualGraph& graph, std::vector<int> labels,
-                 std::span<const int> fold_edges, const ExchangeOptions& options = {});
+  /// `parts` refers to the panels of `graph`. Mesh and graph must outlive this object.
+  BorderExchange(const Mesh& mesh, const DualGraph& graph, PartsSoFar parts,
+                 const ExchangeOptions& options = {});
 
   enum class State { kRunning, kFound, kGaveUp };
 
@@ -37,7 +45,9 @@ class BorderExchange {
   State step(std::int64_t work);
 
   const std::vector<int>& labels() const { return labels_; }
-  /// Fold trees of the parts that changed, of the graph restricted to each part; nets when found.
+  /// Overlaps left, of each other part that has no net.
+  const std::map<int, int>& overlaps_of() const { return overlaps_of_; }
+  /// Best trees of the parts that changed, of the graph restricted to each part.
   const std::map<int, FoldTree>& trees() const { return trees_; }
   int overlaps() const { return part_overlaps_; }
   std::int64_t moves() const { return moves_; }
@@ -56,10 +66,11 @@ class BorderExchange {
   };
 
   std::vector<int> panels_of(int part) const;
-  void start(Attempt& attempt, int part, std::int64_t patience);
+  void start(Attempt& attempt, int part, std::int64_t patience, int good_enough);
   FoldTree tree_of_folds(const DualGraph& graph);
   void remember_folds(const Attempt& attempt);
   std::vector<double> panel_weights() const;
+  int known_overlaps(int part) const;
   Exchange choose();
   bool stays_connected(int panel) const;
   void begin_step();
@@ -74,8 +85,8 @@ class BorderExchange {
   std::vector<char> folds_;       ///< per mesh edge: some part's best tree folds there
   std::vector<char> hyperbolic_;  ///< per vertex: more than a full turn of face angles
   std::map<int, FoldTree> trees_;
-  int part_overlaps_ = -1;  ///< of the best tree of the part; -1 before the first search
-  std::map<int, int> neighbour_overlaps_;
+  int part_overlaps_ = -1;          ///< of the best tree of the part; -1 before the first search
+  std::map<int, int> overlaps_of_;  ///< of the other parts without a net
   int steps_ = 0;
   std::int64_t moves_ = 0;
   State state_ = State::kRunning;

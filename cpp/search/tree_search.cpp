@@ -51,7 +51,7 @@ void TreeSearch::consider(FoldTree folds) {
   if (best_overlaps_ != -1 && overlaps >= best_overlaps_) return;
   best_overlaps_ = overlaps;
   best_ = std::move(folds);
-  if (best_overlaps_ == 0) state_ = State::kFound;
+  if (best_overlaps_ <= options_.good_enough) state_ = State::kFound;
 }
 
 /// A fold on the path between a random overlapping pair, more likely near its ends: cutting there
@@ -93,7 +93,7 @@ void TreeSearch::note_best() {
   best_overlaps_ = layout_->overlap_count();
   best_ = layout_->folds();
   best_move_ = moves_;
-  if (best_overlaps_ == 0) state_ = State::kFound;
+  if (best_overlaps_ <= options_.good_enough) state_ = State::kFound;
 }
 
 double TreeSearch::impatience() const {

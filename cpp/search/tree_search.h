@@ -19,6 +19,7 @@ struct TreeSearchOptions {
   /// Swaps without a new best before the search gives up: tight parts either come down steadily or
   /// stay stuck, and another seed then helps more than patience.
   std::int64_t patience = 20000;
+  int good_enough = 0;  ///< overlaps at which the search is content
   std::uint64_t seed = 1;
 };
 
@@ -41,7 +42,7 @@ class TreeSearch {
   State step(std::int64_t work);
 
   State state() const { return state_; }
-  /// The best tree so far; a net when `state` is found.
+  /// The best tree so far; a net when `state` is found and nothing but a net is good enough.
   const FoldTree& best() const { return best_; }
   int best_overlaps() const { return best_overlaps_; }
   std::int64_t moves() const { return moves_; }
