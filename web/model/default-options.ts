@@ -5,6 +5,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   parts: 0,
   heuristic: 'steepest',
   segment: 'merge',
+  solver: 'tree',
   runs: 400,
   // Proxies of 500 to 1000 faces segment as well as anything larger.
   proxy: 1000,

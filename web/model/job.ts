@@ -5,6 +5,7 @@
 
 export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
 export type Segmenter = 'merge' | 'spectral';
+export type Solver = 'tree' | 'genetic';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
 
 export interface JobOptions {
@@ -13,6 +14,7 @@ export interface JobOptions {
   /** Heuristic of the learning runs. */
   heuristic: Heuristic;
   segment: Segmenter;
+  solver: Solver;
   /** Learning runs. */
   runs: number;
   /** Learn on a simplified proxy above this many faces; 0: never. */
@@ -107,10 +109,31 @@ export interface JobResult {
 
 export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
 
+/** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
+export interface MatrixPicture {
+  size: number;
+  /** Row-major, 0 (never) to 255 (always unfold together). */
+  values: Uint8Array;
+  /** Once clustered: rows are sorted by part, and these are the first rows of the parts. */
+  blocks?: Int32Array;
+}
+
+/** A net while it is being searched. */
+export interface NetPicture {
+  /** 2 per corner, 3 corners per face; units of the model, y up. */
+  corners: Float32Array;
+  /** Per face: its index in the model. */
+  sources: Int32Array;
+  /** Per face: 1 if it overlaps another one. */
+  overlapping: Uint8Array;
+}
+
 /** What a job tells while it runs; `progress` is in [0, 1] over the whole job and never falls. */
 export type JobEvent =
   | { type: 'stage'; stage: Stage; progress: number }
-  | { type: 'learned'; runs: number; of: number }
+  /** The repaired model in its own units, once it is read. */
+  | { type: 'model'; vertices: Float32Array; faces: Int32Array }
+  | { type: 'learned'; runs: number; of: number; matrix?: MatrixPicture }
   | { type: 'segmented'; labels: Int32Array }
   | {
       type: 'generation';
@@ -119,6 +142,7 @@ export type JobEvent =
       best: number;
       overlaps: number;
       hyperbolic: number;
+      net?: NetPicture;
     }
   | { type: 'net'; part: number; piece: number }
   | { type: 'notice'; code: string; text: string }
