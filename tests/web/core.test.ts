@@ -4,6 +4,7 @@ import type { TimedEvent } from '../../web/core/protocol.js';
 import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
 import { buffersOf } from '../../web/core/transfer.js';
+import type { Stage } from '../../web/model/job.js';
 
 describe('nextBudget', () => {
   it('approaches ten milliseconds', () => {
@@ -22,8 +23,8 @@ describe('nextBudget', () => {
 });
 
 describe('EventThrottle', () => {
-  const stage = (progress: number): TimedEvent => {
-    return { type: 'stage', stage: 'learn', progress, seconds: 0 };
+  const stage = (progress: number, name: Stage = 'learn'): TimedEvent => {
+    return { type: 'stage', stage: name, progress, seconds: 0 };
   };
 
   it('keeps the latest of each kind and lets everything else pass', () => {
@@ -37,12 +38,37 @@ describe('EventThrottle', () => {
     throttle.release(50);
     throttle.push({ type: 'net', part: 0, piece: 0 });
     expect(sent).toEqual([stage(0.1), { type: 'net', part: 0, piece: 0 }]);
-    throttle.release(100);
+    throttle.release(125);
     expect(sent.at(-1)).toEqual(stage(0.3));
     throttle.flush();
     expect(sent.at(-1)).toEqual({ type: 'learned', runs: 10, of: 400 });
     throttle.flush();
     expect(sent).toHaveLength(4);
+  });
+
+  it('tells at once that a stage begins', () => {
+    const sent: TimedEvent[] = [];
+    const throttle = new EventThrottle((event) => sent.push(event));
+    throttle.push(stage(0.1));
+    throttle.release(0);
+    throttle.push(stage(0.5, 'cluster'));
+    throttle.release(1);
+    expect(sent).toEqual([stage(0.1), stage(0.5, 'cluster')]);
+  });
+
+  it('sends at most ten in any second, whatever happens', () => {
+    const times: number[] = [];
+    let now = 0;
+    const throttle = new EventThrottle(() => times.push(now));
+    for (; now < 5000; now += 10) {
+      throttle.push(stage(0.5, now % 20 === 0 ? 'learn' : 'search'));
+      throttle.push({ type: 'learned', runs: 10, of: 400 });
+      throttle.release(now);
+    }
+    for (const time of times) {
+      expect(times.filter((other) => other >= time && other < time + 1000).length).toBeLessThan(11);
+    }
+    expect(times.length).toBeGreaterThanOrEqual(40);
   });
 });
 

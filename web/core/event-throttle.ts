@@ -1,7 +1,11 @@
+import type { Stage } from '../model/job.js';
 import type { TimedEvent } from './protocol.js';
 
-/** Between two events that only report progress: at most ten a second. */
-const interval = 100;
+/** Progress events in any second. */
+const mostPerSecond = 10;
+
+/** Between two of them, in ms; leaves room in each second for two stages that begin. */
+const interval = 125;
 
 /** Kinds of which the latest tells all that earlier ones told. */
 function isProgress({ type }: TimedEvent): boolean {
@@ -10,26 +14,39 @@ function isProgress({ type }: TimedEvent): boolean {
 
 /**
  * Lets at most ten progress events a second through and holds back only the latest of each kind,
- * so that the last one always arrives. All other events pass at once.
+ * so that the last one always arrives. A stage that begins does not wait for its turn, because work
+ * that cannot be interrupted may follow. All other events pass at once.
  */
 export class EventThrottle {
   private readonly held = new Map<TimedEvent['type'], TimedEvent>();
-  private lastTime = -Infinity;
+  /** When the events of the last second were sent. */
+  private sent: number[] = [];
+  private stage: Stage | null = null;
+  private stageBegins = false;
 
   constructor(private readonly send: (event: TimedEvent) => void) {}
 
   push(event: TimedEvent): void {
+    if (event.type === 'stage' && event.stage !== this.stage) {
+      this.stage = event.stage;
+      this.stageBegins = true;
+    }
     if (isProgress(event)) this.held.set(event.type, event);
     else this.send(event);
   }
 
-  /** Sends the event that has waited longest if the last one is long enough ago; `now` in ms. */
+  /** Sends one of the events that are held back if it is time for it; `now` in ms. */
   release(now: number): void {
-    const next = this.held.entries().next();
-    if (next.done || now - this.lastTime < interval) return;
-    const [type, event] = next.value;
-    this.held.delete(type);
-    this.lastTime = now;
+    this.sent = this.sent.filter((time) => now - time < 1000);
+    const last = this.sent.at(-1) ?? -Infinity;
+    if (this.sent.length >= mostPerSecond) return;
+    if (!this.stageBegins && now - last < interval) return;
+    const type = this.stageBegins ? 'stage' : this.held.keys().next().value;
+    const event = type && this.held.get(type);
+    if (!event) return;
+    this.held.delete(event.type);
+    this.sent.push(now);
+    if (event.type === 'stage') this.stageBegins = false;
     this.send(event);
   }
 
