@@ -105,18 +105,19 @@ export function echo(settings: Settings): Record<string, unknown> {
 
 /** What the engine is asked for. */
 export function jobOptions(settings: Settings): JobOptions {
-  const { parts, faces, heuristic, segment, runs, proxy, seed, orientation, margin } = settings;
+  const { parts, faces, heuristic, segment, solver, runs, proxy, seed } = settings;
   return {
     parts: parts === 'auto' ? 0 : parts,
     heuristic,
     segment,
+    solver,
     runs,
     proxy,
     seed,
     faces: faces === 'off' ? 0 : faces,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,
-    orientation,
-    margin,
+    orientation: settings.orientation,
+    margin: settings.margin,
   };
 }
