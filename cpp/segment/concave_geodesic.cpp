@@ -98,7 +98,8 @@ std::vector<float> concave_geodesic(const Mesh& mesh, const DualGraph& graph) {
       ++reached;
     }
   }
-  const auto scale = static_cast<float>(static_cast<double>(reached) / sum);
+  // Where no panel reaches another there is nothing to scale.
+  const auto scale = sum > 0 ? static_cast<float>(static_cast<double>(reached) / sum) : 1.0f;
   for (float& distance : distances) distance = distance < 0 ? kUnreachable : distance * scale;
   return distances;
 }

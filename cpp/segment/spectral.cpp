@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 #include "segment/k_means.h"
 
@@ -44,21 +45,28 @@ Eigenpairs all_eigenpairs(const Eigen::MatrixXd& matrix) {
   return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
 }
 
+/// The `count` largest eigenpairs by Lanczos' method; none when it does not converge.
+Eigenpairs lanczos_eigenpairs(const Eigen::MatrixXd& matrix, int count, int basis) {
+  Spectra::DenseSymMatProd<double> product(matrix);
+  Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);
+  try {
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestAlge);
+  } catch (const std::runtime_error&) {
+    // Breaks down when the matrix has fewer different eigenvalues than basis vectors, as that of a
+    // convex part has: all ones.
+    return {};
+  }
+  if (solver.info() != Spectra::CompInfo::Successful) return {};
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 /// The `count` largest eigenvalues and their vectors, each with its largest entry positive.
 Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix, int count) {
-  const int n = static_cast<int>(matrix.rows());
   Eigenpairs pairs;
   // Lanczos pays while few of many are wanted; 2 k + 20 basis vectors converge in a few restarts.
   const int basis = 2 * count + 20;
-  if (basis < n) {
-    Spectra::DenseSymMatProd<double> product(matrix);
-    Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestAlge);
-    if (solver.info() == Spectra::CompInfo::Successful) {
-      pairs = {solver.eigenvalues(), solver.eigenvectors()};
-    }
-  }
+  if (basis < matrix.rows()) pairs = lanczos_eigenpairs(matrix, count, basis);
   if (pairs.values.size() == 0) pairs = all_eigenpairs(matrix);
   pairs.values = pairs.values.head(count).eval();
   pairs.vectors = pairs.vectors.leftCols(count).eval();
