@@ -29,10 +29,17 @@ else()
   set(gtest_libraries GTest::gtest GTest::gtest_main)
 endif()
 
+# Meshes and models that tests and benchmarks share: all that is not a test itself.
+set(helper_sources ${test_sources})
+list(FILTER helper_sources EXCLUDE REGEX "_test\\.cpp$")
+list(FILTER test_sources INCLUDE REGEX "_test\\.cpp$")
+add_library(test_helpers STATIC EXCLUDE_FROM_ALL ${helper_sources})
+target_include_directories(test_helpers PUBLIC "${PROJECT_SOURCE_DIR}/tests/cpp")
+target_link_libraries(test_helpers PUBLIC foldwright PRIVATE project_warnings)
+target_compile_definitions(test_helpers PRIVATE FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}")
+
 add_executable(foldwright_tests ${test_sources})
-target_link_libraries(foldwright_tests PRIVATE foldwright project_warnings ${gtest_libraries})
-target_compile_definitions(foldwright_tests PRIVATE
-  FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}" FOLDWRIGHT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+target_link_libraries(foldwright_tests PRIVATE test_helpers project_warnings ${gtest_libraries})
 
 if(EMSCRIPTEN)
   include(NodeProgram)

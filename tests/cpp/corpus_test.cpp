@@ -1,53 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "mesh/input_error.h"
-#include "mesh/read_model.h"
-#include "mesh/repair.h"
 #include "mesh_faults.h"
 #include "meshes.h"
+#include "shared_models.h"
 
 namespace foldwright::testing {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of shared models: the environment goes before the build's own setting.
-fs::path shared_folder() {
-  if (const char* folder = std::getenv("FOLDWRIGHT_SHARED")) return folder;
-#ifdef FOLDWRIGHT_SHARED
-  return FOLDWRIGHT_SHARED;
-#else
-  return {};
-#endif
-}
-
-/// Files below a folder of the corpus, in a fixed order.
-std::vector<fs::path> files_below(const char* folder) {
-  std::vector<fs::path> files;
-  const fs::path root = shared_folder() / folder;
-  if (!fs::exists(root)) return files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-RepairedModel load(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(file)), {});
-  return repair(read_model(std::as_bytes(std::span(text)), path.filename().string()));
-}
-
 TEST(Corpus, HostileFilesAreRefusedInOneSentenceOrMended) {
   const std::vector<fs::path> files = files_below("nasty");
-  if (files.empty()) GTEST_SKIP() << "no shared models: set FOLDWRIGHT_SHARED to their folder";
+  if (files.empty()) GTEST_SKIP() << kNoSharedModels;
   for (const fs::path& path : files) {
     SCOPED_TRACE(path.filename().string());
     try {
@@ -75,12 +40,12 @@ TEST(Corpus, GoodModelsAreReadAndMended) {
       ++count;
     }
   }
-  if (count == 0) GTEST_SKIP() << "no shared models: set FOLDWRIGHT_SHARED to their folder";
+  if (count == 0) GTEST_SKIP() << kNoSharedModels;
 }
 
 TEST(Corpus, ClosedManifoldsNeedNoRepair) {
   const std::vector<fs::path> files = files_below("models/organic");
-  if (files.empty()) GTEST_SKIP() << "no shared models: set FOLDWRIGHT_SHARED to their folder";
+  if (files.empty()) GTEST_SKIP() << kNoSharedModels;
   for (const fs::path& path : files) {
     SCOPED_TRACE(path.filename().string());
     const RepairedModel model = load(path);

@@ -1,5 +1,6 @@
 #include "meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -37,6 +38,33 @@ std::vector<Face> convex_hull(const std::vector<Vec3>& points) {
     hull = std::move(kept);
   }
   return hull;
+}
+
+/// Turns a profile of (radius, height), from bottom to top, around the z axis. \pre radii > 0
+Mesh revolved(const std::vector<Vec2>& profile, double bottom, double top, int around) {
+  std::vector<Vec3> positions = {Vec3(0, 0, bottom)};
+  std::vector<Face> faces;
+  for (const Vec2& ring : profile) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      positions.emplace_back(ring.x() * std::cos(angle), ring.x() * std::sin(angle), ring.y());
+    }
+  }
+  positions.emplace_back(0, 0, top);
+  const int tip = static_cast<int>(positions.size()) - 1;
+  const int rings = static_cast<int>(profile.size());
+  for (int i = 0; i < around; ++i) {
+    const int next = (i + 1) % around;
+    const int last = 1 + (rings - 1) * around;
+    faces.insert(faces.end(), {{0, 1 + next, 1 + i}, {tip, last + i, last + next}});
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+      const int low = 1 + ring * around;
+      const int high = low + around;
+      faces.insert(faces.end(),
+                   {{low + i, low + next, high + next}, {low + i, high + next, high + i}});
+    }
+  }
+  return make_mesh(std::move(positions), std::move(faces));
 }
 
 }  // namespace
@@ -122,6 +150,90 @@ Mesh open_strip(int squares) {
     faces.insert(faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
   }
   return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh l_prism() {
+  const std::vector<Vec2> corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  std::vector<Vec3> positions;
+  for (const double z : {0, 1}) {
+    for (const Vec2& corner : corners) positions.emplace_back(corner.x(), corner.y(), z);
+  }
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] : {Face{0, 1, 2}, Face{0, 2, 3}, Face{0, 3, 5}, Face{3, 4, 5}}) {
+    faces.insert(faces.end(), {{a, c, b}, {a + 6, b + 6, c + 6}});
+  }
+  for (int i = 0; i < 6; ++i) {
+    const int j = (i + 1) % 6;
+    faces.insert(faces.end(), {{i, j, j + 6}, {i, j + 6, i + 6}});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh two_sided_square() {
+  // The diagonals differ, so that no edge has four faces.
+  return make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                   {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {1, 3, 2}});
+}
+
+Mesh accordion(const std::vector<double>& widths) {
+  std::vector<Vec3> positions = {{0, 0, 0}, {0, 1, 0}};
+  std::vector<Face> faces;
+  const double slope = std::numbers::sqrt2 / 2;
+  double x = 0;
+  double z = 0;
+  for (int i = 0; i < static_cast<int>(widths.size()); ++i) {
+    x += slope * widths[i];
+    z += i % 2 == 0 ? slope * widths[i] : -slope * widths[i];
+    positions.emplace_back(x, 0, z);
+    positions.emplace_back(x, 1, z);
+    const int a = 2 * i;
+    faces.insert(faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh saddle(int faces, double turn) {
+  // Rim points at heights +-h over the unit circle: neighbours are seen from the centre at an angle
+  // with cosine (cos(2 pi / n) - h^2) / (1 + h^2), which is to be that of turn / n.
+  const double step = 2 * std::numbers::pi / faces;
+  const double cosine = std::cos(turn / faces);
+  const double height = std::sqrt((std::cos(step) - cosine) / (1 + cosine));
+  std::vector<Vec3> positions = {Vec3::Zero()};
+  std::vector<Face> fan;
+  for (int i = 0; i < faces; ++i) {
+    positions.emplace_back(std::cos(i * step), std::sin(i * step), i % 2 == 0 ? height : -height);
+    fan.push_back({0, 1 + i, 1 + (i + 1) % faces});
+  }
+  return make_mesh(std::move(positions), std::move(fan));
+}
+
+Mesh dumbbell() {
+  constexpr int kRings = 7;  // of one sphere, up to the neck
+  std::vector<Vec2> profile;
+  for (int ring = 1; ring <= kRings; ++ring) {
+    const double polar = (std::numbers::pi - 0.2) * ring / kRings;  // the neck's radius is sin(0.2)
+    profile.emplace_back(std::sin(polar), -1.2 - std::cos(polar));
+  }
+  for (int ring = kRings - 1; ring >= 0; --ring) {
+    profile.emplace_back(profile[ring].x(), -profile[ring].y());
+  }
+  return revolved(profile, -2.2, 2.2, 12);
+}
+
+Mesh bumpy_sphere(int faces) {
+  // As many points around as between the poles: 2 around (rings - 1) + 2 around triangles.
+  const int around = std::max(3, static_cast<int>(std::lround(std::sqrt(faces))));
+  const int rings = std::max(2, static_cast<int>(std::lround(0.5 * faces / around)));
+  std::vector<Vec2> profile;
+  for (int ring = 1; ring <= rings; ++ring) {
+    const double polar = std::numbers::pi * ring / (rings + 1);
+    profile.emplace_back(std::sin(polar), -std::cos(polar));
+  }
+  Mesh sphere = revolved(profile, -1, 1, around);
+  for (Vec3& p : sphere.positions) {
+    p *= 1 + 0.15 * std::sin(5 * p.x() + 1) * std::sin(5 * p.y() + 2) * std::sin(5 * p.z() + 3);
+  }
+  return sphere;
 }
 
 PolygonSoup mobius_strip(int quads) {

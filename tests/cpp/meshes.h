@@ -28,6 +28,25 @@ Mesh torus(int around, int tube);
 /// Flat open strip of `squares` unit squares in a row: 2 * squares triangles.
 Mesh open_strip(int squares);
 
+/// Prism over an L: 8 panels, the caps hexagons, and a single valley in the inner corner.
+Mesh l_prism();
+
+/// Square with a front and a back that share all four edges: closed, without volume.
+Mesh two_sided_square();
+
+/// Open strip of rectangles of height 1, folded up and down by right angles: one panel each.
+Mesh accordion(const std::vector<double>& widths);
+
+/// Open fan of `faces` equal triangles around vertex 0 whose angles there sum up to `turn`. With
+/// more than a full turn no net of it exists. \pre faces is even, turn > 2 pi
+Mesh saddle(int faces, double turn);
+
+/// Two unit spheres joined by a thin neck: closed, 336 triangles.
+Mesh dumbbell();
+
+/// Sphere with gentle hills, about `faces` triangles: closed, not convex. \pre faces >= 24
+Mesh bumpy_sphere(int faces);
+
 /// Moebius strip of `quads` quads: non-orientable, so only `repair` makes a Mesh of it. \pre >= 3
 PolygonSoup mobius_strip(int quads);
 

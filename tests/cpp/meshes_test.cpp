@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace foldwright::testing {
 namespace {
 
@@ -19,6 +21,9 @@ TEST(Meshes, ClosedOnesAreClosedAndWoundOutwards) {
   expect_closed(icosahedron(), 20, 2);
   expect_closed(star(), 60, 2);
   expect_closed(torus(8, 6), 96, 0);
+  expect_closed(l_prism(), 20, 2);
+  expect_closed(dumbbell(), 336, 2);
+  expect_closed(bumpy_sphere(1000), 1024, 2);
 }
 
 TEST(Meshes, HullOfPointsOnASphereUsesThemAll) {
@@ -32,6 +37,16 @@ TEST(Meshes, StripIsOpen) {
   const Mesh strip = open_strip(5);
   EXPECT_EQ(strip.face_count(), 10);
   EXPECT_EQ(border_edge_count(strip), 12);
+}
+
+TEST(Meshes, SaddleHasTheTurnAskedFor) {
+  const Mesh mesh = saddle(8, 7);
+  double turn = 0;
+  for (const auto& [apex, a, b] : mesh.faces) {
+    turn += std::acos(mesh.positions[a].normalized().dot(mesh.positions[b].normalized()));
+  }
+  EXPECT_NEAR(turn, 7, 1e-12);
+  EXPECT_EQ(border_edge_count(mesh), 8);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#include "parts.h"
+
+namespace foldwright::testing {
+
+Unfoldable unfoldable(Mesh mesh) {
+  DualGraph graph = build_dual_graph(mesh);
+  return {std::move(mesh), std::move(graph)};
+}
+
+FoldabilityMatrix learn(const Unfoldable& surface, int runs) {
+  FoldabilityLearner learner(surface.mesh, surface.graph, {.runs = runs}, 0, runs);
+  while (learner.step()) continue;
+  return to_matrix(learner.counts());
+}
+
+std::string fault_of_parts(const DualGraph& graph, const Labels& labels) {
+  if (static_cast<int>(labels.size()) != graph.panel_count()) return "a panel without a label";
+  if (labels != renumbered(labels)) return "numbers with gaps or out of order";
+  const int pieces = part_count(part_pieces(graph, labels));
+  if (pieces == part_count(labels)) return "";
+  return std::to_string(pieces) + " pieces of " + std::to_string(part_count(labels)) + " parts";
+}
+
+std::vector<int> panels_of(const Labels& labels, int part) {
+  std::vector<int> panels;
+  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
+    if (labels[panel] == part) panels.push_back(panel);
+  }
+  return panels;
+}
+
+}  // namespace foldwright::testing
