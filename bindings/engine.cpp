@@ -1,30 +1,38 @@
-// The engine's whole surface towards JavaScript: one handle, values in, values out.
+// The engine's whole surface towards JavaScript: a job, a runner of its tasks, values in and out.
 
 #include <emscripten/bind.h>
 
 #include <exception>
 #include <optional>
 
-#include "values.h"
+#include "bytes.h"
 #include "pipeline/job.h"
+#include "pipeline/wire.h"
+#include "values.h"
 
 namespace {
 
 using emscripten::val;
+using foldwright::bytes_from;
+using foldwright::to_array;
 
 EMSCRIPTEN_DECLARE_VAL_TYPE(BytesValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(OptionsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(TaskValue);
+
+EventsValue to_values(const foldwright::Events& events) {
+  val array = val::array();
+  for (const auto& event : events) array.call<void>("push", foldwright::to_value(event));
+  return EventsValue(array);
+}
 
 /// A job behind a boundary that no exception crosses: what goes wrong becomes its one event.
 class JobHandle {
  public:
   JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options) {
     try {
-      std::vector<std::byte> file(bytes["length"].as<std::size_t>());
-      val(emscripten::typed_memory_view(file.size(), reinterpret_cast<std::uint8_t*>(file.data())))
-          .call<void>("set", bytes);
-      job_.emplace(std::move(file), file_name, foldwright::options_from(options));
+      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options));
     } catch (const std::bad_alloc&) {
       failure_ = {"out-of-memory", "the model needs more memory than there is"};
     } catch (const std::exception& error) {
@@ -33,20 +41,69 @@ class JobHandle {
   }
 
   EventsValue step(double budget) {
-    val events = val::array();
-    if (job_) {
-      for (const auto& event : job_->step(static_cast<std::int64_t>(budget))) {
-        events.call<void>("push", foldwright::to_value(event));
-      }
-    } else {
-      events.call<void>("push", foldwright::to_value(failure_));
-    }
-    return EventsValue(events);
+    return to_values(job_ ? job_->step(static_cast<std::int64_t>(budget)) : failed());
+  }
+
+  EventsValue advance() { return to_values(job_ ? job_->advance() : failed()); }
+
+  /// The next waiting task as {id, surface, bytes}, or undefined. The surface is a key: see
+  /// `surface`.
+  TaskValue take_task() {
+    const auto task = job_ ? job_->take_task() : std::nullopt;
+    if (!task) return TaskValue(val::undefined());
+    surfaces_[task->surface->key] = task->surface;
+    val object = val::object();
+    object.set("id", task->id);
+    object.set("surface", task->surface->key);
+    object.set("bytes", to_array(encode(*task)));
+    return TaskValue(object);
+  }
+
+  /// Bytes of a surface that a taken task named.
+  BytesValue surface(int key) const { return BytesValue(to_array(encode(*surfaces_.at(key)))); }
+
+  EventsValue report(int task, const BytesValue& status) {
+    return to_values(job_->report(task, foldwright::decode_status(bytes_from(status))));
+  }
+
+  EventsValue complete(int task, const BytesValue& result) {
+    return to_values(job_->complete(task, foldwright::decode_result(bytes_from(result))));
   }
 
  private:
+  foldwright::Events failed() const { return {failure_}; }
+
   std::optional<foldwright::Job> job_;
   foldwright::ErrorEvent failure_;
+  std::map<int, std::shared_ptr<const foldwright::Surface>> surfaces_;
+};
+
+/// A surface that tasks run on, in an instance of the engine that has not read the model.
+class SurfaceHandle {
+ public:
+  explicit SurfaceHandle(const BytesValue& bytes)
+      : surface_(foldwright::decode_surface(bytes_from(bytes))) {}
+
+  std::shared_ptr<const foldwright::Surface> get() const { return surface_; }
+
+ private:
+  std::shared_ptr<const foldwright::Surface> surface_;
+};
+
+/// Runs one task. Memory that runs out ends the worker, which its owner replaces.
+class TaskHandle {
+ public:
+  TaskHandle(const SurfaceHandle& surface, const BytesValue& task)
+      : runner_(foldwright::decode_task(bytes_from(task), surface.get())) {}
+
+  bool step(double budget) { return runner_.step(static_cast<std::int64_t>(budget)); }
+  BytesValue status(bool with_net) {
+    return BytesValue(to_array(encode(runner_.status(with_net))));
+  }
+  BytesValue result() const { return BytesValue(to_array(encode(runner_.result()))); }
+
+ private:
+  foldwright::TaskRunner runner_;
 };
 
 JobHandle* create_job(const BytesValue& bytes, const std::string& file_name,
@@ -54,12 +111,34 @@ JobHandle* create_job(const BytesValue& bytes, const std::string& file_name,
   return new JobHandle(bytes, file_name, options);
 }
 
+SurfaceHandle* create_surface(const BytesValue& bytes) { return new SurfaceHandle(bytes); }
+
+TaskHandle* create_task(const SurfaceHandle& surface, const BytesValue& task) {
+  return new TaskHandle(surface, task);
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(foldwright) {
+  using emscripten::allow_raw_pointers;
   emscripten::register_type<BytesValue>("Uint8Array");
   emscripten::register_type<OptionsValue>("import('../../model/job.js').JobOptions");
   emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");
-  emscripten::class_<JobHandle>("Job").function("step", &JobHandle::step);
-  emscripten::function("createJob", &create_job, emscripten::allow_raw_pointers());
+  emscripten::register_type<TaskValue>(
+      "{ id: number; surface: number; bytes: Uint8Array } | undefined");
+  emscripten::class_<JobHandle>("Job")
+      .function("step", &JobHandle::step)
+      .function("advance", &JobHandle::advance)
+      .function("takeTask", &JobHandle::take_task)
+      .function("surface", &JobHandle::surface)
+      .function("report", &JobHandle::report)
+      .function("complete", &JobHandle::complete);
+  emscripten::class_<SurfaceHandle>("Surface");
+  emscripten::class_<TaskHandle>("Task")
+      .function("step", &TaskHandle::step)
+      .function("status", &TaskHandle::status)
+      .function("result", &TaskHandle::result);
+  emscripten::function("createJob", &create_job, allow_raw_pointers());
+  emscripten::function("createSurface", &create_surface, allow_raw_pointers());
+  emscripten::function("createTask", &create_task, allow_raw_pointers());
 }

@@ -25,6 +25,7 @@ constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge
                                            {"random", Heuristic::kRandom}};
 constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kMerge},
                                            {"spectral", Segmenter::kSpectral}};
+constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver::kGenetic}};
 constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
                                                {"portrait", Orientation::kPortrait},
                                                {"landscape", Orientation::kLandscape}};
@@ -154,7 +155,7 @@ val sheets_value(const SheetLayout& layout) {
 
 val result_value(const JobResult& result) {
   val search = val::object();
-  search.set("generations", 0);
+  search.set("generations", result.generations);
   search.set("moves", static_cast<double>(result.moves));
   val object = val::object();
   object.set("model", model_value(result));
@@ -169,6 +170,22 @@ val result_value(const JobResult& result) {
   object.set("search", search);
   object.set("notices", list(result.notices, notice_value));
   object.set("hash", result.hash);
+  return object;
+}
+
+val matrix_value(const MatrixPicture& matrix) {
+  val object = val::object();
+  object.set("size", matrix.size);
+  object.set("values", copied("Uint8Array", matrix.values));
+  if (!matrix.blocks.empty()) object.set("blocks", ints(matrix.blocks));
+  return object;
+}
+
+val net_value(const NetPicture& net) {
+  val object = val::object();
+  object.set("corners", copied("Float32Array", net.corners));
+  object.set("sources", ints(net.sources));
+  object.set("overlapping", copied("Uint8Array", net.overlapping));
   return object;
 }
 
@@ -191,10 +208,22 @@ struct EventValue {
     object.set("progress", event.progress);
     return object;
   }
+  val operator()(const ModelEvent& event) const {
+    const Mesh& mesh = event.surface->mesh;
+    std::vector<float> vertices;
+    for (const Vec3& p : mesh.positions) {
+      for (const double x : {p.x(), p.y(), p.z()}) vertices.push_back(static_cast<float>(x));
+    }
+    val object = typed("model");
+    object.set("vertices", copied("Float32Array", vertices));
+    object.set("faces", ints(flat(mesh.faces)));
+    return object;
+  }
   val operator()(const LearnedEvent& event) const {
     val object = typed("learned");
     object.set("runs", event.runs);
     object.set("of", event.of);
+    if (event.matrix) object.set("matrix", matrix_value(*event.matrix));
     return object;
   }
   val operator()(const SegmentedEvent& event) const {
@@ -208,7 +237,8 @@ struct EventValue {
     object.set("generation", event.generation);
     object.set("best", event.best);
     object.set("overlaps", event.overlaps);
-    object.set("hyperbolic", 0);
+    object.set("hyperbolic", event.hyperbolic);
+    if (event.net) object.set("net", net_value(*event.net));
     return object;
   }
   val operator()(const NetEvent& event) const {
@@ -242,6 +272,7 @@ JobOptions options_from(const val& object) {
   options.parts = object["parts"].as<int>();
   options.heuristic = from_name<Heuristic>(kHeuristics, object["heuristic"]);
   options.segmenter = from_name<Segmenter>(kSegmenters, object["segment"]);
+  options.solver = from_name<Solver>(kSolvers, object["solver"]);
   options.runs = object["runs"].as<int>();
   options.proxy = object["proxy"].as<int>();
   options.seed = object["seed"].as<std::uint32_t>();

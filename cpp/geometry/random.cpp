@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <initializer_list>
 
 namespace foldwright {
@@ -40,6 +41,16 @@ int Random::below(int n) {
 }
 
 double Random::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+
+double Random::normal() {
+  while (true) {
+    const double x = 2 * uniform() - 1;
+    const double y = 2 * uniform() - 1;
+    const double square = x * x + y * y;
+    // The pair's second deviate is let go, so that the generator's state stays its four words.
+    if (square > 0 && square < 1) return x * std::sqrt(-2 * std::log(square) / square);
+  }
+}
 
 std::uint64_t task_seed(std::uint64_t seed, std::uint64_t stage, std::uint64_t part,
                         std::uint64_t index) {

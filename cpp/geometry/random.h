@@ -18,6 +18,8 @@ class Random {
   int below(int n);
   /// Uniform real in [0, 1).
   double uniform();
+  /// Standard normal deviate (Marsaglia's polar method).
+  double normal();
 
  private:
   std::uint64_t state_[4];

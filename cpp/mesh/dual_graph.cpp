@@ -144,16 +144,21 @@ Hinge make_hinge(const Mesh& mesh, const DualGraph& graph, int e, std::array<int
           motion_onto(corner(1, 0), corner(1, 1), corner(0, 0), corner(0, 1))};
 }
 
-/// Whether two edges lie on one line, as all edges between two panels do unless the panels lie on
-/// each other.
+// Edges this far off one line, in shares of the shorter one, are one hinge: folding both along it
+// moves no corner by a tenth of what a net's congruence allows.
+constexpr double kCollinear = 1e-7;
+
+/// Whether two edges lie on one line, as all edges between two panels do up to rounding unless the
+/// panels lie on each other.
 bool collinear(const Mesh& mesh, int e, int f) {
   const Vec3& origin = mesh.positions[mesh.edges[e].vertices[0]];
-  const Vec3 along = (mesh.positions[mesh.edges[e].vertices[1]] - origin).normalized();
-  for (const int v : mesh.edges[f].vertices) {
-    const Vec3 to = mesh.positions[v] - origin;
-    if (along.cross(to).norm() > 1e-6 * to.norm()) return false;
-  }
-  return true;
+  const Vec3 edge = mesh.positions[mesh.edges[e].vertices[1]] - origin;
+  const Vec3 other =
+      mesh.positions[mesh.edges[f].vertices[1]] - mesh.positions[mesh.edges[f].vertices[0]];
+  const double tolerance = kCollinear * std::min(edge.norm(), other.norm());
+  return std::all_of(mesh.edges[f].vertices.begin(), mesh.edges[f].vertices.end(), [&](int v) {
+    return edge.normalized().cross(mesh.positions[v] - origin).norm() <= tolerance;
+  });
 }
 
 void build_hinges(const Mesh& mesh, DualGraph& graph, std::span<const int> panel_of) {

@@ -1,17 +1,21 @@
+#include "pipeline/matrix_picture.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
 namespace {
 
-/// Parts of one component, as labels of its own panels [paper, 4.2].
-Labels component_labels(const JobState& state, const Component& component) {
-  if (!component.learned) return Labels(component.graph.panel_count(), 0);
+/// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned
+/// on, one per row of the matrix; empty when nothing was learned and the component stays whole.
+Labels label_component(const JobState& state, Component& component) {
+  component.labels.assign(component.graph.panel_count(), 0);
+  if (!component.learned) return {};
   const Learned& learned = *component.learned;
   const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
   const SegmentOptions options = {state.options.segmenter, component.parts, state.options.seed};
-  const Labels on_learned = segment(learned.surface->mesh, graph, learned.matrix, options);
-  return carry_labels(state.surface->mesh, component.graph, {learned.matrix, learned.rows},
-                      on_learned);
+  Labels on_learned = segment(learned.surface->mesh, graph, learned.matrix, options);
+  component.labels = carry_labels(state.surface->mesh, component.graph,
+                                  {learned.matrix, learned.rows}, on_learned);
+  return on_learned;
 }
 
 /// Makes the parts, and numbers them through all components.
@@ -23,7 +27,7 @@ class ClusterStage : public Stage {
     JobResult& result = state.result;
     result.labels.assign(state.surface->mesh.faces.size(), -1);
     for (Component& component : state.components) {
-      component.labels = component_labels(state, component);
+      show_matrix(component, label_component(state, component), state.options.runs, events);
       for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
         for (const int face : component.graph.panel_faces(panel)) {
           result.labels[face] = state.parts + component.labels[panel];
@@ -35,9 +39,18 @@ class ClusterStage : public Stage {
     done_ = true;
   }
 
-  double progress(const JobState&, const TaskRunner*) const override { return done_ ? 1 : 0; }
+  double progress(const JobState&, const Running&) const override { return done_ ? 1 : 0; }
 
  private:
+  /// The matrix of the first component that has one, in blocks [paper, Fig. 7].
+  void show_matrix(const Component& component, const Labels& labels, int runs, Events& events) {
+    if (shown_ || labels.empty()) return;
+    shown_ = true;
+    events.push_back(
+        LearnedEvent{runs, runs, make_matrix_picture(component.learned->matrix, labels)});
+  }
+
+  bool shown_ = false;
   bool done_ = false;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "pipeline/result.h"
+#include "pipeline/task.h"
 
 namespace foldwright {
 
@@ -16,18 +18,31 @@ struct StageEvent {
   StageId stage;
   double progress;  ///< of the whole job, in [0, 1]; never falls
 };
+/// The repaired model in its own units, once it is read.
+struct ModelEvent {
+  std::shared_ptr<const Surface> surface;
+};
+/// A foldability matrix averaged down to at most 256 rows; bytes, 255 for 1.
+struct MatrixPicture {
+  int size = 0;
+  std::vector<std::uint8_t> values;  ///< row-major
+  std::vector<int> blocks;           ///< first row of each part, once rows are sorted by part
+};
 struct LearnedEvent {
   int runs, of;
+  std::optional<MatrixPicture> matrix = {};
 };
 struct SegmentedEvent {
   std::vector<int> labels;  ///< per face of the mesh
 };
-/// A batch of moves of a net search.
+/// A generation of the genetic search, or a batch of moves of the tree search.
 struct GenerationEvent {
   int part;
-  int generation;  ///< batches so far
-  double best;     ///< fitness: minus the overlaps
-  int overlaps;
+  int generation;  ///< of the part, through all its searches
+  double best;     ///< fitness of the part's best tree so far; never falls, 0 for a net
+  int overlaps;    ///< of that tree
+  int hyperbolic;  ///< its N_l; 0 in the tree search, which does not count it
+  std::optional<NetPicture> net;
 };
 struct NetEvent {
   int part, piece;
@@ -40,8 +55,8 @@ struct ErrorEvent {
 };
 
 /// What a job tells while it runs.
-using Event = std::variant<StageEvent, LearnedEvent, SegmentedEvent, GenerationEvent, NetEvent,
-                           Notice, DoneEvent, ErrorEvent>;
+using Event = std::variant<StageEvent, ModelEvent, LearnedEvent, SegmentedEvent, GenerationEvent,
+                           NetEvent, Notice, DoneEvent, ErrorEvent>;
 using Events = std::vector<Event>;
 
 }  // namespace foldwright

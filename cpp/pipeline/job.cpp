@@ -36,23 +36,67 @@ Job::Job(std::vector<std::byte> file, std::string file_name, const JobOptions& o
   stages_.push_back(make_paper_stage());
 }
 
-Events Job::step(std::int64_t work) {
+/// Runs an action and turns what it throws into the job's last event.
+template <class Action>
+Events Job::guarded(Action&& action) {
   Events events;
   if (finished_) return events;
+  const auto fail = [&](const std::string& code, const std::string& text) {
+    events.push_back(ErrorEvent{code, text});
+    finished_ = true;
+  };
   try {
-    advance(work, events);
+    action(events);
   } catch (const InputError& error) {
-    events.push_back(ErrorEvent{error.code(), error.what()});
+    fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {
-    events.push_back(ErrorEvent{"out-of-memory", "the model needs more memory than there is"});
+    fail("out-of-memory", "the model needs more memory than there is");
   } catch (const std::exception& error) {
-    events.push_back(ErrorEvent{"internal", std::string("internal error: ") + error.what()});
+    fail("internal", std::string("internal error: ") + error.what());
   }
-  if (!events.empty() && std::holds_alternative<ErrorEvent>(events.back())) finished_ = true;
   return events;
 }
 
-void Job::advance(std::int64_t work, Events& events) {
+Events Job::step(std::int64_t work) {
+  return guarded([&](Events& events) {
+    if (own_runner_ || !queue_.empty()) {
+      run_task(work, events);
+    } else {
+      do_own_step(events);
+    }
+  });
+}
+
+Events Job::advance() {
+  return guarded([&](Events& events) {
+    if (queue_.empty() && running_.empty()) do_own_step(events);
+  });
+}
+
+std::optional<Task> Job::take_task() {
+  if (finished_ || queue_.empty()) return std::nullopt;
+  Task task = queue_.take();
+  running_[task.id] = {};
+  return task;
+}
+
+Events Job::report(int task, TaskStatus status) {
+  return guarded([&](Events& events) {
+    running_[task] = std::move(status);
+    stages_[current_]->watch(task, running_, events);
+    report_progress(events);
+  });
+}
+
+Events Job::complete(int task, TaskResult result) {
+  return guarded([&](Events& events) {
+    running_.erase(task);
+    stages_[current_]->complete(state_, queue_, task, std::move(result), events);
+    report_progress(events);
+  });
+}
+
+void Job::do_own_step(Events& events) {
   Stage& stage = *stages_[current_];
   if (phase_ == Phase::kAnnounce) {
     // A step of its own, so that the stage's name is out before work that is not sliced.
@@ -60,28 +104,31 @@ void Job::advance(std::int64_t work, Events& events) {
   } else if (phase_ == Phase::kBegin) {
     stage.begin(state_, queue_, events);
     phase_ = Phase::kTasks;
-  } else if (running_ || !queue_.empty()) {
-    run_task(work, events);
   } else {
     stage.end(state_, events);
     phase_ = Phase::kAnnounce;
-    if (++current_ < stages_.size()) return;
-    finished_ = true;
-    events.push_back(DoneEvent{std::make_shared<const JobResult>(std::move(state_.result))});
+    if (++current_ == stages_.size()) {
+      finished_ = true;
+      events.push_back(DoneEvent{std::make_shared<const JobResult>(std::move(state_.result))});
+    }
     return;
   }
   report_progress(events);
 }
 
 void Job::run_task(std::int64_t work, Events& events) {
-  if (!running_) running_.emplace(queue_.take());
-  const bool done = running_->step(work);
-  stages_[current_]->watch(state_, *running_, events);
-  if (!done) return;
-  const int id = running_->task().id;
-  TaskResult result = running_->result();
-  running_.reset();
-  stages_[current_]->complete(state_, queue_, id, std::move(result), events);
+  if (!own_runner_) own_runner_.emplace(*take_task());
+  const int id = own_runner_->task().id;
+  const bool done = own_runner_->step(work);
+  running_[id] = own_runner_->status(false);
+  stages_[current_]->watch(id, running_, events);
+  if (done) {
+    TaskResult result = own_runner_->result();
+    own_runner_.reset();
+    running_.erase(id);
+    stages_[current_]->complete(state_, queue_, id, std::move(result), events);
+  }
+  report_progress(events);
 }
 
 void Job::report_progress(Events& events) {
@@ -89,7 +136,7 @@ void Job::report_progress(Events& events) {
   for (std::size_t i = 0; i < current_; ++i) done += kStageShares[i];
   const Stage& stage = *stages_[current_];
   if (phase_ == Phase::kTasks) {
-    done += kStageShares[current_] * stage.progress(state_, running_ ? &*running_ : nullptr);
+    done += kStageShares[current_] * stage.progress(state_, running_);
   }
   progress_ = std::clamp(done, progress_, 1.0);
   events.push_back(StageEvent{stage.id(), progress_});

@@ -6,24 +6,36 @@
 
 namespace foldwright {
 
-/// From the bytes of a model file to nets on sheets: runs the stages in order, their tasks one
-/// after the other, in steps of a few milliseconds.
+/// From the bytes of a model file to nets on sheets: runs the stages in order and cuts their
+/// parallel work into tasks.
 ///
-/// The same bytes, name and options give the same result, however the work is sliced.
+/// The same bytes, name and options give the same result, whoever runs the tasks, in whatever order
+/// and slices. None of the functions throws: bad input and exhausted memory become an `ErrorEvent`.
+/// The last event of a job is `DoneEvent` or `ErrorEvent`; after it nothing more happens.
 class Job {
  public:
   Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options);
 
-  /// Does about `work` microseconds' worth and tells what happened. The last event of a job is
-  /// `DoneEvent` or `ErrorEvent`; after it nothing more happens. Never throws: bad input and
-  /// exhausted memory become an `ErrorEvent`. A stage's own work (reading, an eigenvalue solve) is
-  /// not sliced.
+  /// Runs everything here: does about `work` microseconds' worth and tells what happened. A
+  /// stage's own work (reading, an eigenvalue solve) is not sliced.
   Events step(std::int64_t work);
+
+  /// For a host that runs the tasks elsewhere: one step of the job's own work. Nothing to do, and
+  /// no events, while tasks are waiting or out.
+  Events advance();
+  /// The next task to run, if one waits.
+  std::optional<Task> take_task();
+  /// Hands in what a task that is out tells.
+  Events report(int task, TaskStatus status);
+  /// Hands in a task's result.
+  Events complete(int task, TaskResult result);
 
   bool finished() const { return finished_; }
 
  private:
-  void advance(std::int64_t work, Events& events);
+  template <class Action>
+  Events guarded(Action&& action);
+  void do_own_step(Events& events);
   void run_task(std::int64_t work, Events& events);
   void report_progress(Events& events);
 
@@ -33,7 +45,8 @@ class Job {
   enum class Phase { kAnnounce, kBegin, kTasks } phase_ = Phase::kAnnounce;
   bool finished_ = false;
   TaskQueue queue_;
-  std::optional<TaskRunner> running_;
+  Running running_;
+  std::optional<TaskRunner> own_runner_;
   double progress_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "pipeline/learning.h"
+#include "pipeline/matrix_picture.h"
 
 namespace foldwright {
 namespace {
@@ -27,25 +28,33 @@ class LearnStage : public Stage {
   void complete(JobState& state, TaskQueue&, int task, TaskResult result, Events& events) override {
     const auto& counts = std::get<FoldabilityCounts>(result);
     runs_done_ += counts.runs;
-    events.push_back(LearnedEvent{runs_done_, runs_wanted_});
     const auto learning = std::find_if(learnings_.begin(), learnings_.end(),
                                        [&](const Learning& l) { return l.owns(task); });
-    if (learning->complete(counts)) {
-      state.components[learning->component()].learned = learning->finish();
+    const bool all = learning->complete(counts);
+    LearnedEvent event{runs_done_, runs_wanted_};
+    if (learning == learnings_.begin()) {
+      event.matrix = make_matrix_picture(to_matrix(learning->counts()));
     }
+    events.push_back(std::move(event));
+    if (all) state.components[learning->component()].learned = learning->finish();
   }
 
-  void watch(const JobState&, const TaskRunner& running, Events& events) override {
-    events.push_back(LearnedEvent{runs_done_ + running.runs_done(), runs_wanted_});
+  void watch(int, const Running& running, Events& events) override {
+    events.push_back(LearnedEvent{runs_so_far(running), runs_wanted_});
   }
 
-  double progress(const JobState&, const TaskRunner* running) const override {
+  double progress(const JobState&, const Running& running) const override {
     if (runs_wanted_ == 0) return 1;
-    const int runs = runs_done_ + (running != nullptr ? running->runs_done() : 0);
-    return static_cast<double>(runs) / runs_wanted_;
+    return static_cast<double>(runs_so_far(running)) / runs_wanted_;
   }
 
  private:
+  int runs_so_far(const Running& running) const {
+    int runs = runs_done_;
+    for (const auto& [task, status] : running) runs += status.runs;
+    return runs;
+  }
+
   std::vector<Learning> learnings_;
   int runs_wanted_ = 0;
   int runs_done_ = 0;

@@ -46,12 +46,13 @@ std::vector<int> rows_on_proxy(const Mesh& mesh, const DualGraph& graph, const M
 }
 
 /// The surface to learn on, its panels, and the row of each panel of the component.
-Learned choose_surface(const JobState& state, const Component& component) {
+Learned choose_surface(const JobState& state, int index) {
+  const Component& component = state.components[index];
   const int limit = state.options.proxy;
   if (limit > 0 && face_count(component.graph) > limit) {
     const Mesh& mesh = state.surface->mesh;
     const Mesh own = submesh(mesh, component.graph.faces);
-    auto proxy = make_surface(simplify(own, {.target_faces = limit}));
+    auto proxy = make_surface(kFirstProxySurface + index, simplify(own, {.target_faces = limit}));
     // A proxy that fell apart, or cannot tell the wanted parts apart, would mislead.
     if (is_connected(proxy->graph) && 4 * component.parts <= proxy->graph.panel_count()) {
       std::vector<int> rows = rows_on_proxy(mesh, component.graph, own, *proxy);
@@ -65,7 +66,7 @@ Learned choose_surface(const JobState& state, const Component& component) {
 }  // namespace
 
 Learning::Learning(const JobState& state, int component, TaskQueue& queue)
-    : component_(component), learned_(choose_surface(state, state.components[component])) {
+    : component_(component), learned_(choose_surface(state, component)) {
   LearnOptions options;
   options.heuristic = state.options.heuristic;
   options.runs = state.options.runs;

@@ -15,7 +15,8 @@ class Learning {
   /// Adds a task's counts. True when it was the last one: then `finish` gives what was learned.
   bool complete(const FoldabilityCounts& counts);
   Learned finish();
-  int runs_done() const { return counts_.runs; }
+  /// Of the tasks that are complete; empty before the first.
+  const FoldabilityCounts& counts() const { return counts_; }
 
  private:
   int component_;

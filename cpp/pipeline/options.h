@@ -8,11 +8,15 @@
 
 namespace foldwright {
 
+/// How nets are searched: on spanning trees directly, or by the paper's genetic algorithm.
+enum class Solver { kTree, kGenetic };
+
 /// What a job is asked for.
 struct JobOptions {
   int parts = 0;  ///< number of parts; 0 estimates it
   Heuristic heuristic = Heuristic::kSteepestEdge;
   Segmenter segmenter = Segmenter::kMerge;
+  Solver solver = Solver::kTree;
   int runs = 400;  ///< learning runs, 1 to 65535
   /// Learn on a simplified proxy above this many faces; 0: never. Proxies of 500 to 1000 faces
   /// segment as well as anything larger, and learning grows with the square.

@@ -51,12 +51,13 @@ class PaperStage : public Stage {
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;
     result.moves = state.moves;
+    result.generations = state.generations;
     result.notices = std::move(state.notices);
     for (const Notice& notice : result.notices) events.push_back(notice);
     result.hash = hash_of(canonical_dump(result));
   }
 
-  double progress(const JobState& state, const TaskRunner*) const override {
+  double progress(const JobState& state, const Running&) const override {
     return state.result.hash.empty() ? 0 : 1;
   }
 };

@@ -89,18 +89,19 @@ class ReadStage : public Stage {
  public:
   StageId id() const override { return StageId::kRead; }
 
-  void begin(JobState& state, TaskQueue&, Events&) override {
+  void begin(JobState& state, TaskQueue&, Events& events) override {
     check_options(state.options);
     const PolygonSoup soup = read_model(state.file, state.file_name);
     state.file.clear();
     state.file.shrink_to_fit();
     state.model = repair(soup);
-    state.surface = make_surface(simplified(state));
+    state.surface = make_surface(kModelSurface, simplified(state));
+    events.push_back(ModelEvent{state.surface});
     state.components = make_components(state.surface->graph);
     decide_parts(state);
   }
 
-  double progress(const JobState& state, const TaskRunner*) const override {
+  double progress(const JobState& state, const Running&) const override {
     return state.surface ? 1 : 0;
   }
 };

@@ -36,7 +36,8 @@ struct JobResult {
   int parts = 0;
   std::vector<Piece> pieces;
   SheetLayout sheets;
-  std::int64_t moves = 0;  ///< of the net search
+  std::int64_t moves = 0;  ///< of the tree searches
+  int generations = 0;     ///< of the genetic searches
   std::vector<Notice> notices;
   std::string hash;  ///< of the canonical dump
 };

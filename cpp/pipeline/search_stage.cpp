@@ -19,6 +19,10 @@ constexpr std::array<double, 4> kTemperatures = {2, 1, 3, 0.5};
 constexpr int kAttemptsOfPart = 3;
 constexpr int kAttemptsOfWhole = 12;
 
+// An evolution and three restarts, as the paper's authors set it. What evolution does not solve is
+// split, as published: border exchange belongs to the tree search.
+constexpr int kEvolutions = 4;
+
 /// A region in search of a net, and the attempt that runs.
 struct Search {
   Region region;
@@ -82,20 +86,30 @@ class SearchStage : public Stage {
     note_splits(state);
   }
 
-  void watch(const JobState&, const TaskRunner& running, Events& events) override {
+  void watch(int task, const Running& running, Events& events) override {
     int part = 0;
-    if (const auto search = searches_.find(running.task().id); search != searches_.end()) {
+    if (const auto search = searches_.find(task); search != searches_.end()) {
       part = search->second.region.part;
     } else if (exchanging_) {
       part = exchanging_->part;
     } else {
       return;
     }
-    events.push_back(GenerationEvent{part, ++batches_, -static_cast<double>(running.overlaps()),
-                                     running.overlaps()});
+    const TaskStatus& status = running.at(task);
+    for (const SearchStatus& generation : status.generations) {
+      History& history = histories_[part];
+      if (history.generations++ == 0 || generation.best > history.best.best) {
+        history.best = generation;
+      }
+      const SearchStatus& best = history.best;
+      events.push_back(GenerationEvent{part, history.generations, best.best, best.overlaps,
+                                       best.hyperbolic, std::nullopt});
+    }
+    if (status.generations.empty() || !status.net) return;
+    std::get<GenerationEvent>(events.back()).net = status.net;
   }
 
-  double progress(const JobState& state, const TaskRunner*) const override {
+  double progress(const JobState& state, const Running&) const override {
     const int all = state.surface->graph.panel_count();
     return static_cast<double>(panels_done_) / all;
   }
@@ -106,21 +120,42 @@ class SearchStage : public Stage {
             panels_of(state.components[component].labels, part - first_part_[component])};
   }
 
+  /// The region itself names its searches in their seeds, since regions come up in any order.
+  static std::uint64_t key_of(const Region& region) {
+    std::uint64_t key = static_cast<std::uint64_t>(region.part);
+    for (const int panel : region.panels) {
+      key = task_seed(key, kSearch, static_cast<std::uint64_t>(panel), 0);
+    }
+    return key;
+  }
+
   void start(const JobState& state, TaskQueue& queue, Region region) {
-    queue_attempt(state, queue, {std::move(region), next_key_++, 0});
+    const std::uint64_t key = key_of(region);
+    queue_attempt(state, queue, {std::move(region), key, 0});
   }
 
   void queue_attempt(const JobState& state, TaskQueue& queue, Search search) {
-    TreeSearchOptions options;
-    options.temperature = kTemperatures[search.attempt % kTemperatures.size()];
-    options.seed = task_seed(state.options.seed, kSearch, search.key,
-                             static_cast<std::uint64_t>(search.attempt));
+    const std::uint64_t seed = task_seed(state.options.seed, kSearch, search.key,
+                                         static_cast<std::uint64_t>(search.attempt));
     std::vector<int> panels;
     for (const int panel : search.region.panels) {
       panels.push_back(state.components[search.region.component].panels[panel]);
     }
-    const int id = queue.add(state.surface, std::move(panels), SearchTask{options});
+    Work work;
+    if (state.options.solver == Solver::kGenetic) {
+      work = GeneticTask{{.seed = seed}};
+    } else {
+      const double temperature = kTemperatures[search.attempt % kTemperatures.size()];
+      work = SearchTask{{.temperature = temperature, .seed = seed}};
+    }
+    const int id = queue.add(state.surface, std::move(panels), std::move(work));
     searches_.emplace(id, std::move(search));
+  }
+
+  /// Seeds that a region gets before it counts as having no net.
+  static int attempts_for(const JobState& state, bool is_whole) {
+    if (state.options.solver == Solver::kGenetic) return kEvolutions;
+    return is_whole ? kAttemptsOfWhole : kAttemptsOfPart;
   }
 
   void searched(JobState& state, TaskQueue& queue, int task, const SearchResult& result,
@@ -128,14 +163,15 @@ class SearchStage : public Stage {
     Search search = std::move(searches_.at(task));
     searches_.erase(task);
     state.moves += result.moves;
+    state.generations += result.generations;
     const Region& region = search.region;
     const bool is_whole = region.panels.size() == state.components[region.component].panels.size();
     if (result.overlaps == 0) {
       panels_done_ += static_cast<int>(region.panels.size());
       found(state, std::move(search.region), result.folds, events);
-    } else if (++search.attempt < (is_whole ? kAttemptsOfWhole : kAttemptsOfPart)) {
+    } else if (++search.attempt < attempts_for(state, is_whole)) {
       queue_attempt(state, queue, std::move(search));
-    } else if (region.cause == Cause::kPart && !is_whole) {
+    } else if (region.cause == Cause::kPart && !is_whole && state.options.solver == Solver::kTree) {
       // Exchanges wait until all parts have been tried, and then go in the order of parts: each
       // changes the borders that the next one sees.
       without_net_.insert(region.part);
@@ -290,7 +326,14 @@ class SearchStage : public Stage {
     int overlaps = 0;
   };
 
+  /// What events tell of a part's searches, one after the other.
+  struct History {
+    int generations = 0;
+    SearchStatus best{};
+  };
+
   std::vector<int> first_part_;
+  std::map<int, History> histories_;    ///< by part
   std::map<int, Search> searches_;      ///< by task
   std::map<int, PartTree> part_trees_;  ///< by part: an exchange may replace them
   std::set<int> without_net_;           ///< parts whose exchange is to come
@@ -298,10 +341,8 @@ class SearchStage : public Stage {
   std::vector<int> uncured_;         ///< parts that their exchange did not cure
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
-  std::uint64_t next_key_ = 0;
   int panels_done_ = 0;
   int nets_found_ = 0;
-  int batches_ = 0;
   bool labels_changed_ = false;
 };
 

@@ -20,10 +20,14 @@ class TaskQueue {
   int next_id_ = 0;
 };
 
+/// Last status of every task that is being run, by its number.
+using Running = std::map<int, TaskStatus>;
+
 /// One named step of a job: some work of its own, and parallel work cut into tasks.
 ///
-/// `begin` runs once and may queue tasks; `complete` takes each result in the order of the task
-/// numbers and may queue more; when all tasks are done, `end` runs once.
+/// `begin` runs once and may queue tasks; `complete` takes their results, in whatever order they
+/// come, and may queue more; when no task is left, `end` runs once. What comes out must not depend
+/// on the order of the results.
 class Stage {
  public:
   virtual ~Stage() = default;
@@ -31,10 +35,10 @@ class Stage {
   virtual void begin(JobState& state, TaskQueue& queue, Events& events) = 0;
   virtual void complete(JobState&, TaskQueue&, int /*task*/, TaskResult, Events&) {}
   virtual void end(JobState&, Events&) {}
-  /// Called while a task runs.
-  virtual void watch(const JobState&, const TaskRunner&, Events&) {}
-  /// Share of the stage done, in [0, 1], counting `running` as that share of its task.
-  virtual double progress(const JobState&, const TaskRunner* running) const = 0;
+  /// Called with each status of a task; `running` has it already.
+  virtual void watch(int /*task*/, const Running& /*running*/, Events&) {}
+  /// Share of the stage done, in [0, 1].
+  virtual double progress(const JobState&, const Running& running) const = 0;
 };
 
 std::unique_ptr<Stage> make_read_stage();

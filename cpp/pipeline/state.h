@@ -11,6 +11,10 @@
 
 namespace foldwright {
 
+/// Keys of surfaces: the model, and behind it the proxy of each component.
+inline constexpr int kModelSurface = 0;
+inline constexpr int kFirstProxySurface = 1;
+
 /// What was learned about a component, and on which surface.
 struct Learned {
   std::shared_ptr<const Surface> surface;  ///< the component itself, or its proxy
@@ -59,6 +63,7 @@ struct JobState {
   int parts = 0;
   std::vector<FoundNet> nets;
   std::int64_t moves = 0;
+  int generations = 0;
   std::vector<Notice> notices;
   JobResult result;
 };

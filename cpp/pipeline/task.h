@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
 
 #include "search/border_exchange.h"
+#include "search/genetic_search.h"
 #include "search/tree_search.h"
 #include "segment/foldability.h"
 
@@ -12,10 +14,11 @@ namespace foldwright {
 
 /// A mesh and its dual graph, shared by all tasks on it.
 struct Surface {
+  int key;  ///< names it within its job
   Mesh mesh;
   DualGraph graph;
 };
-std::shared_ptr<const Surface> make_surface(Mesh mesh);
+std::shared_ptr<const Surface> make_surface(int key, Mesh mesh);
 
 /// Some learning runs.
 struct LearnTask {
@@ -23,9 +26,12 @@ struct LearnTask {
   int first_run, last_run;
 };
 
-/// One net search from one seed.
+/// One net search from one seed, on spanning trees or by evolution.
 struct SearchTask {
   TreeSearchOptions options;
+};
+struct GeneticTask {
+  GeneticOptions options;
 };
 
 /// Border exchange around one part of a component.
@@ -34,7 +40,7 @@ struct ExchangeTask {
   ExchangeOptions options;
 };
 
-using Work = std::variant<LearnTask, SearchTask, ExchangeTask>;
+using Work = std::variant<LearnTask, SearchTask, GeneticTask, ExchangeTask>;
 
 /// A unit of parallel work as a plain value: any instance of the engine that has the surface can
 /// run it and gets the same result.
@@ -48,7 +54,8 @@ struct Task {
 struct SearchResult {
   FoldTree folds;  ///< of the graph of the task's panels; a net if `overlaps` is 0
   int overlaps;
-  std::int64_t moves;
+  std::int64_t moves;  ///< of a tree search
+  int generations;     ///< of a genetic search
 };
 struct ExchangeResult {
   bool found;
@@ -59,31 +66,53 @@ struct ExchangeResult {
 };
 using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult>;
 
+/// Where a net search stands after a generation, or a batch of moves.
+struct SearchStatus {
+  double best;  ///< fitness
+  int overlaps, hyperbolic;
+};
+
+/// A net under search, to be looked at.
+struct NetPicture {
+  std::vector<float> corners;             ///< three corners (x, y) per face, model units
+  std::vector<int> sources;               ///< per face: the mesh face
+  std::vector<std::uint8_t> overlapping;  ///< per face: 1 if its panel overlaps another
+};
+
+/// What a task under way tells.
+struct TaskStatus {
+  double progress = 0;                    ///< in [0, 1]; an estimate for searches
+  int runs = 0;                           ///< learning runs done
+  std::vector<SearchStatus> generations;  ///< since the last status
+  std::optional<NetPicture> net;          ///< of the best tree, if asked for
+};
+
 /// Runs one task in steps.
 class TaskRunner {
  public:
   explicit TaskRunner(Task task);
+  TaskRunner(const TaskRunner&) = delete;
+  TaskRunner& operator=(const TaskRunner&) = delete;
 
   /// Does about `work` microseconds' worth; true when the task is done.
   bool step(std::int64_t work);
+  /// What has happened since the last call.
+  TaskStatus status(bool with_net);
   /// \pre `step` returned true
   TaskResult result() const;
 
   const Task& task() const { return task_; }
-  /// Share done, in [0, 1]; an estimate for searches.
-  double progress() const;
-  /// Learning runs done; 0 for a search.
-  int runs_done() const;
-  /// Overlaps of the best tree so far; -1 for a learning task.
-  int overlaps() const;
 
  private:
+  void note_generation();
+  const FoldTree* best_tree() const;
+
   Task task_;
   DualGraph graph_;
-  // Behind pointers because they refer to `graph_` and are made once it stands.
-  std::unique_ptr<FoldabilityLearner> learner_;
-  std::unique_ptr<TreeSearch> search_;
-  std::unique_ptr<BorderExchange> exchange_;
+  /// Made once `graph_`, which they refer to, stands.
+  std::variant<std::monostate, FoldabilityLearner, TreeSearch, GeneticSearch, BorderExchange> run_;
+  std::vector<SearchStatus> generations_;
+  int last_generation_ = 0;
 };
 
 }  // namespace foldwright

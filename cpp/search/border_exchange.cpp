@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
+
+#include "search/hyperbolic.h"
 
 namespace foldwright {
 namespace {
@@ -17,33 +18,6 @@ constexpr std::int64_t kNeighbourPatience = 20000;
 constexpr double kAnywhere = 0.2;
 // Overlaps at a hyperbolic vertex are why there is no net.
 constexpr double kHyperbolicWeight = 3;
-
-std::vector<std::vector<int>> panel_vertices(const Mesh& mesh, const DualGraph& graph) {
-  std::vector<std::vector<int>> vertices(graph.panel_count());
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    std::set<int> corners;
-    for (const int face : graph.panel_faces(panel)) {
-      corners.insert(mesh.faces[face].begin(), mesh.faces[face].end());
-    }
-    vertices[panel].assign(corners.begin(), corners.end());
-  }
-  return vertices;
-}
-
-std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
-  std::vector<double> turn(mesh.positions.size(), 0);
-  for (const auto& corners : mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      const Vec3& apex = mesh.positions[corners[i]];
-      const Vec3 a = mesh.positions[corners[(i + 1) % 3]] - apex;
-      const Vec3 b = mesh.positions[corners[(i + 2) % 3]] - apex;
-      turn[corners[i]] += std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-  }
-  std::vector<char> hyperbolic;
-  for (const double angle : turn) hyperbolic.push_back(angle > 2 * std::numbers::pi + 1e-9);
-  return hyperbolic;
-}
 
 }  // namespace
 
