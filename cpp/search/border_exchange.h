@@ -19,8 +19,8 @@ struct PartsSoFar {
 struct ExchangeOptions {
   int part = 0;          ///< the part that has no net
   int most_steps = 300;  ///< exchanges tried; cures need 1 to 20 accepted ones
-  /// Moves of all searches together: some seconds.
-  std::int64_t most_moves = 2'000'000;
+  /// Moves of all searches together, a second or some: cures took 10 to 300 thousand.
+  std::int64_t most_moves = 600'000;
   /// An exchange that adds d overlaps is still made with probability exp(-d / temperature).
   double temperature = 0.5;
   std::uint64_t seed = 1;
