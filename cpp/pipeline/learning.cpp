@@ -11,7 +11,7 @@ namespace {
 
 // Runs of a task: enough tasks to share among workers, few enough that adding their matrices up
 // costs little.
-constexpr int kRunsPerTask = 100;
+constexpr int kRunsPerTask = 50;
 
 int face_count(const DualGraph& graph) { return static_cast<int>(graph.faces.size()); }
 
