@@ -6,7 +6,9 @@ import { chromium, type BrowserContext, type Download, type Page } from 'playwri
 const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
 const flags = [
   '--no-sandbox',
-  '--disable-gpu',
+  // WebGL in software, for machines without a graphics card.
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
   '--disable-quic',
   '--no-first-run',
   '--disable-background-networking',
@@ -112,6 +114,24 @@ export class StudioPage {
   async message(): Promise<string> {
     await this.page.locator('#message').waitFor();
     return this.page.locator('#message-words').innerText();
+  }
+
+  /** Counts the colours that an element shows on the screen. */
+  async coloursOf(selector: string): Promise<number> {
+    const shot = await this.page.locator(selector).screenshot();
+    return this.page.evaluate(
+      async (source) => {
+        const image = new Image();
+        image.src = source;
+        await image.decode();
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        const context = canvas.getContext('2d');
+        context?.drawImage(image, 0, 0);
+        const data = context?.getImageData(0, 0, image.width, image.height).data.buffer;
+        return new Set(new Uint32Array(data ?? new ArrayBuffer(0))).size;
+      },
+      `data:image/png;base64,${shot.toString('base64')}`,
+    );
   }
 
   /** Keeps a picture of the whole page for people to look at. */

@@ -2,6 +2,7 @@ import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
 import { paperSizes, type PaperSize } from '../model/paper.js';
 import { find, make } from './dom.js';
+import { MoreOptions } from './more-options.js';
 
 /** What the form asks for. */
 export interface Wishes {
@@ -20,7 +21,7 @@ function paperLabel({ name, width, height }: PaperSize): string {
   return `${name} (${Math.round(width)} × ${Math.round(height)} mm)`;
 }
 
-/** The fields for parts and paper, and the button that starts. */
+/** The fields for parts and paper, those for the method, and the button that starts. */
 export class OptionsForm {
   private readonly form = find('#controls', HTMLFormElement);
   private readonly parts = find('#parts', HTMLInputElement);
@@ -28,6 +29,7 @@ export class OptionsForm {
   private readonly orientation = find('#orientation', HTMLSelectElement);
   private readonly margin = find('#margin', HTMLInputElement);
   private readonly button = find('#unfold', HTMLButtonElement);
+  private readonly more = new MoreOptions();
 
   constructor(onSubmit: () => void) {
     const papers = paperSizes.map((size) =>
@@ -40,7 +42,7 @@ export class OptionsForm {
       event.preventDefault();
       onSubmit();
     });
-    for (const field of [this.parts, this.margin]) {
+    for (const field of this.form.querySelectorAll<HTMLInputElement>('[type=number]')) {
       field.addEventListener('input', () => {
         field.setAttribute('aria-invalid', String(!field.validity.valid));
       });
@@ -75,7 +77,7 @@ export class OptionsForm {
     const paper = paperSizes.find(({ name }) => name === this.paper.value) ?? paperSizes[0]!;
     const orientation = orientations.find((value) => value === this.orientation.value) ?? 'auto';
     const job: JobOptions = {
-      ...defaultOptions,
+      ...this.more.read(),
       parts: this.parts.value === '' ? defaultOptions.parts : this.parts.valueAsNumber,
       paperWidth: paper.width,
       paperHeight: paper.height,

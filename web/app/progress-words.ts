@@ -55,7 +55,7 @@ export class ProgressWords {
 
   private searchDetail(overlaps: number): string {
     const found = this.parts > 0 ? `${this.flat.size} of ${this.parts} done` : '';
-    const left = overlaps > 0 ? `${overlaps} overlaps left in the present one` : '';
+    const left = overlaps > 0 ? `${overlaps} ${overlaps === 1 ? 'overlap' : 'overlaps'} left` : '';
     return [found, left].filter(Boolean).join(', ');
   }
 }

@@ -41,6 +41,16 @@ export class ResultPanel {
     return !this.panel.hidden;
   }
 
+  /** Makes room for a run; the result can be restored. */
+  hide(): void {
+    this.panel.hidden = true;
+  }
+
+  /** Shows the last result again, if there ever was one. */
+  restore(): void {
+    this.panel.hidden = this.panel.dataset['hash'] === undefined;
+  }
+
   /** Moves the keyboard to the result. */
   focus(): void {
     this.panel.focus({ preventScroll: true });

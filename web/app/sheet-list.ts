@@ -1,6 +1,7 @@
 import type { JobResult } from '../model/job.js';
 import { pieceLetter } from '../model/piece-letter.js';
 import { partColour } from '../view/part-colours.js';
+import { partHatch } from '../view/part-hatches.js';
 import { sheetPicture } from '../view/sheet-picture.js';
 import { find, make } from './dom.js';
 
@@ -21,11 +22,16 @@ export class SheetList {
     const widest = Math.max(...result.sheets.map(({ width }) => width));
     const items = result.sheets.map((sheet, index) => {
       const pieces = result.pieces.filter((piece) => piece.sheet === index);
-      const colours = new Map(pieces.map(({ id, part }) => [pieceLetter(id), partColour(part)]));
+      const paints = new Map(
+        pieces.map(({ id, part }) => [
+          pieceLetter(id),
+          { colour: partColour(part), hatch: partHatch(part) },
+        ]),
+      );
       const number = `Sheet ${index + 1} of ${result.sheets.length}`;
-      const names = [...colours.keys()].join(', ');
+      const names = [...paints.keys()].join(', ');
       const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
-      const picture = sheetPicture(writeSvg(result, index), colours, caption);
+      const picture = sheetPicture(writeSvg(result, index), paints, caption);
       const figure = make('figure', {}, picture, make('figcaption', { textContent: caption }));
       figure.style.setProperty('--share', String(sheet.width / widest));
       return make('li', { className: 'sheet' }, figure);

@@ -1,8 +1,9 @@
-import type { Transport } from '../core/transport.js';
+import type { Pool } from '../core/pool.js';
 import { missingSupport } from './browser-support.js';
 import { find } from './dom.js';
 import { DownloadBar } from './download-bar.js';
 import { FilePicker } from './file-picker.js';
+import { HatchSwitch } from './hatch-switch.js';
 import { JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
@@ -12,6 +13,10 @@ import { ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
+import { Workshop } from './workshop.js';
+
+/** Ms after the page is complete: its pictures shall be there first. */
+const preparation = 300;
 
 /** Ties the parts of the page together: a choice starts a run, a run ends in a result or a message. */
 export class Studio {
@@ -20,6 +25,7 @@ export class Studio {
   private readonly form = new OptionsForm(() => void this.unfold());
   private readonly gallery = new SampleGallery((model) => void this.choose(model));
   private readonly progress = new ProgressPanel(() => this.runner.cancel());
+  private readonly workshop = new Workshop();
   private readonly result: ResultPanel;
   private readonly chosen = find('#chosen', HTMLElement);
   private readonly welcome = find('#welcome', HTMLElement);
@@ -27,12 +33,13 @@ export class Studio {
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
   private choices = 0;
 
-  constructor(transport: Transport) {
-    this.runner = new JobRunner(transport);
+  constructor(pool: Pool) {
+    this.runner = new JobRunner(pool);
     const downloads = new DownloadBar((format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
     );
     this.result = new ResultPanel(downloads, new SheetList());
+    new HatchSwitch((hatched) => this.workshop.hatch(hatched));
   }
 
   /** Opens the page for choices, or says why this browser cannot run it. */
@@ -45,6 +52,8 @@ export class Studio {
     }
     new FilePicker((files) => void this.choose(readModelFile(files)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
+    // The page is complete now: while a model is being chosen there is time for the 3D view.
+    setTimeout(() => this.workshop.prepare(), preparation);
   }
 
   /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
@@ -66,9 +75,13 @@ export class Studio {
     this.message.clear();
     this.welcome.hidden = true;
     this.progress.begin(model.name);
-    const outcome = await this.runner.run(model, wishes.job, (event) =>
-      this.progress.follow(event),
-    );
+    this.workshop.begin(model.name);
+    const outcome = await this.runner.run(model, wishes.job, (event) => {
+      this.progress.follow(event);
+      this.workshop.follow(event);
+      // The pictures of a run need the room of the last result, which comes back if there is none.
+      if (this.workshop.shown) this.result.hide();
+    });
     // A later run has ended this one and taken over the panels.
     if (this.runner.running) return;
     await this.finish(outcome, model, wishes);
@@ -80,17 +93,21 @@ export class Studio {
       const lead = await this.result.show({ fileName: name, wishes, result: outcome.result });
       // Drawing loads the exporter: a run may have begun meanwhile, and the card is its own.
       if (this.runner.running) return;
+      this.workshop.finish(outcome.result);
       this.progress.end(`Done: ${lead}`);
       this.form.action = 'Unfold again';
       if (hasFocus) this.result.focus();
       return;
     }
-    this.welcome.hidden = this.result.shown;
+    this.result.restore();
+    this.welcome.hidden = this.result.shown || this.workshop.shown;
     if (hasFocus) this.form.focus();
     if (outcome.type === 'cancelled') {
+      this.workshop.stop('Cancelled. This is how far it came.');
       this.progress.end('Cancelled.');
       return;
     }
+    this.workshop.stop('This is how far it came.');
     this.progress.end('');
     const next = outcome.crashed
       ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'

@@ -29,6 +29,8 @@ export default defineConfig({
     target: ['chrome95', 'firefox100', 'safari16.4'],
     // The content security policy forbids data: addresses for most kinds of files.
     assetsInlineLimit: 0,
+    // The 3D view, which loads after the page, is three.js for the most part.
+    chunkSizeWarningLimit: 700,
     rolldownOptions: { output },
   },
 });

@@ -12,10 +12,14 @@ const hues = [
 /** Shares of white: pale enough for thin lines on top, and apart from each other. */
 const tints = [0.5, 0.72, 0.36] as const;
 
-/** Colour of a part as a CSS colour; after 21 parts the colours come around again. */
-export function partColour(part: number): string {
+/** Red, green and blue of a part, 0 to 255; after 21 parts the colours come around again. */
+export function partRgb(part: number): number[] {
   const hue = hues[part % hues.length]!;
   const tint = tints[Math.floor(part / hues.length) % tints.length]!;
-  const channels = hue.map((value) => Math.round(value + (255 - value) * tint));
-  return `rgb(${channels.join(' ')})`;
+  return hue.map((value) => Math.round(value + (255 - value) * tint));
+}
+
+/** Colour of a part as a CSS colour. */
+export function partColour(part: number): string {
+  return `rgb(${partRgb(part).join(' ')})`;
 }

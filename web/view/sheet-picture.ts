@@ -1,17 +1,57 @@
+import { hatchPaths, hatchTile, hatchWidth } from './part-hatches.js';
+
 /** Sheets on the screen. */
 
 const svgNamespace = 'http://www.w3.org/2000/svg';
 
-/** Paints each piece below all lines, along its own cut line. */
-function paintPieces(svg: SVGSVGElement, colours: ReadonlyMap<string, string>): void {
-  const ground = document.createElementNS(svgNamespace, 'g');
+/** Side of a hatch's tile in mm. */
+const tile = 3;
+
+/** How a piece is painted. */
+export interface PiecePaint {
+  /** CSS colour. */
+  colour: string;
+  /** Index of the hatch. */
+  hatch: number;
+}
+
+function shape(name: string, attributes: Record<string, string | number>): SVGElement {
+  const element = document.createElementNS(svgNamespace, name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+  return element;
+}
+
+/** The hatch as a pattern with a name that no other sheet on the page has. */
+function hatchPattern(id: string, hatch: number): SVGElement {
+  const pattern = shape('pattern', {
+    id,
+    width: tile,
+    height: tile,
+    viewBox: `0 0 ${hatchTile} ${hatchTile}`,
+    patternUnits: 'userSpaceOnUse',
+  });
+  const lines = { d: hatchPaths[hatch] ?? '', fill: 'none', stroke: '#232a31' };
+  pattern.append(shape('path', { ...lines, 'stroke-width': hatchWidth, opacity: 0.55 }));
+  return pattern;
+}
+
+/**
+ * Paints each piece below all lines, along its own cut line: its colour, and over it its hatch,
+ * which a style may hide.
+ */
+function paintPieces(svg: SVGSVGElement, paints: ReadonlyMap<string, PiecePaint>): void {
+  const ground = shape('g', {});
   for (const cut of svg.querySelectorAll<SVGPathElement>('#cut > [data-piece]')) {
     const letter = cut.dataset['piece'] ?? '';
-    const area = document.createElementNS(svgNamespace, 'path');
-    area.setAttribute('d', cut.getAttribute('d') ?? '');
-    area.setAttribute('fill', colours.get(letter) ?? 'none');
-    area.dataset['area'] = letter;
-    ground.append(area);
+    const paint = paints.get(letter);
+    if (!paint) continue;
+    const d = cut.getAttribute('d') ?? '';
+    const id = `hatch-${letter}`;
+    ground.append(
+      shape('path', { d, fill: paint.colour, 'data-area': letter }),
+      hatchPattern(id, paint.hatch),
+      shape('path', { d, fill: `url(#${id})`, class: 'hatch' }),
+    );
   }
   svg.prepend(ground);
 }
@@ -20,23 +60,23 @@ function paintPieces(svg: SVGSVGElement, colours: ReadonlyMap<string, string>): 
  * The picture of one sheet, from the SVG that is written for it.
  *
  * @param source SVG of the sheet, as exported
- * @param colours CSS colour of each piece, by its letter
+ * @param paints how each piece is painted, by its letter
  * @param description what a screen reader says
  */
 export function sheetPicture(
   source: string,
-  colours: ReadonlyMap<string, string>,
+  paints: ReadonlyMap<string, PiecePaint>,
   description: string,
 ): SVGSVGElement {
   const parsed = new DOMParser().parseFromString(source, 'image/svg+xml').documentElement;
   const svg = document.importNode(parsed, true);
   if (!(svg instanceof SVGSVGElement)) throw new Error('A sheet is not an SVG document');
-  paintPieces(svg, colours);
   // Several sheets share one page, where an id must be unique.
   for (const group of svg.querySelectorAll('[id]')) {
     group.setAttribute('data-layer', group.id);
-    group.removeAttribute('id');
   }
+  paintPieces(svg, paints);
+  for (const group of svg.querySelectorAll('[data-layer]')) group.removeAttribute('id');
   svg.setAttribute('role', 'img');
   svg.setAttribute('aria-label', description);
   return svg;

@@ -1,0 +1,76 @@
+import { defaultOptions } from '../model/default-options.js';
+import type { Heuristic, JobOptions, Segmenter, Solver } from '../model/job.js';
+import { find } from './dom.js';
+
+/** What this part of the form decides. */
+export type Method = Pick<
+  JobOptions,
+  'solver' | 'seed' | 'segment' | 'heuristic' | 'runs' | 'faces' | 'proxy'
+>;
+
+const solvers: readonly Solver[] = ['tree', 'genetic'];
+const segmenters: readonly Segmenter[] = ['merge', 'spectral'];
+const heuristics: readonly Heuristic[] = ['steepest', 'flat', 'hybrid', 'random'];
+
+const solverWords: Readonly<Record<Solver, string>> = {
+  tree: 'Mends one unfolding step by step: fast.',
+  genetic: 'The paper’s way: breeds nets; slow.',
+};
+
+/** The value of a list; the default where a browser has kept one that exists no more. */
+function chosen<Value extends string>(
+  list: HTMLSelectElement,
+  values: readonly Value[],
+  fallback: Value,
+): Value {
+  return values.find((value) => value === list.value) ?? fallback;
+}
+
+/** The number in a field, or the default where the field is empty. */
+function amount(field: HTMLInputElement, fallback: number): number {
+  return field.value === '' ? fallback : field.valueAsNumber;
+}
+
+/** The fields for how parts and nets are found. */
+export class MoreOptions {
+  private readonly solver = find('#solver', HTMLSelectElement);
+  private readonly hint = find('#solver-hint', HTMLElement);
+  private readonly seed = find('#seed', HTMLInputElement);
+  private readonly segment = find('#segment', HTMLSelectElement);
+  private readonly heuristic = find('#heuristic', HTMLSelectElement);
+  private readonly runs = find('#runs', HTMLInputElement);
+  private readonly faces = find('#faces', HTMLInputElement);
+  private readonly proxy = find('#proxy', HTMLInputElement);
+
+  constructor() {
+    this.seed.placeholder = String(defaultOptions.seed);
+    this.runs.placeholder = String(defaultOptions.runs);
+    this.proxy.placeholder = String(defaultOptions.proxy);
+    this.solver.addEventListener('change', () => this.explain());
+    this.explain();
+    // A field that makes no sense cannot be pointed at while it is folded away.
+    const more = find('#more', HTMLDetailsElement);
+    more.addEventListener('invalid', () => (more.open = true), true);
+  }
+
+  /** What the fields say now. */
+  read(): Method {
+    return {
+      solver: this.chosenSolver(),
+      seed: amount(this.seed, defaultOptions.seed),
+      segment: chosen(this.segment, segmenters, defaultOptions.segment),
+      heuristic: chosen(this.heuristic, heuristics, defaultOptions.heuristic),
+      runs: amount(this.runs, defaultOptions.runs),
+      faces: amount(this.faces, defaultOptions.faces),
+      proxy: amount(this.proxy, defaultOptions.proxy),
+    };
+  }
+
+  private chosenSolver(): Solver {
+    return chosen(this.solver, solvers, defaultOptions.solver);
+  }
+
+  private explain(): void {
+    this.hint.textContent = solverWords[this.chosenSolver()];
+  }
+}

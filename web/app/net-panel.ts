@@ -1,0 +1,82 @@
+import type { JobEvent, JobResult, NetPicture } from '../model/job.js';
+import { finishedNet } from '../view/finished-net.js';
+import { drawNet, type NetStyle } from '../view/net-picture.js';
+import { partColour } from '../view/part-colours.js';
+import { Picture } from '../view/picture.js';
+import { find, make } from './dom.js';
+
+/** The net that is being searched, and a chip for each part, filled when its net is found. */
+export class NetPanel {
+  private readonly words = find('#net-words', HTMLElement);
+  private readonly chips = find('#net-chips', HTMLElement);
+  private net: NetPicture | null = null;
+  private part = 0;
+  private labels: Int32Array | null = null;
+  private hatched = false;
+  private readonly picture = new Picture(
+    find('#net', HTMLCanvasElement),
+    (context, width, height) => {
+      if (this.net) drawNet(context, width, height, this.net, this.style());
+    },
+  );
+
+  clear(): void {
+    this.net = null;
+    this.labels = null;
+    this.words.textContent = 'comes after the parts are chosen';
+    this.chips.replaceChildren();
+    this.picture.request();
+  }
+
+  /** Takes the parts of the faces in. */
+  paint(labels: Int32Array): void {
+    this.labels = labels;
+    const parts = labels.reduce((most, label) => Math.max(most, label + 1), 0);
+    for (let part = this.chips.children.length; part < parts; ++part) this.addChip(part);
+    this.words.textContent = 'begins at once';
+  }
+
+  hatch(hatched: boolean): void {
+    this.hatched = hatched;
+    this.picture.request();
+  }
+
+  follow({ part, generation, overlaps, net }: Extract<JobEvent, { type: 'generation' }>): void {
+    // The words are about the picture, which does not come with every generation.
+    if (!net && this.net) return;
+    const left = overlaps === 1 ? '1 overlap' : `${overlaps} overlaps`;
+    this.words.textContent = `part ${part + 1}, generation ${generation}: ${left}`;
+    if (!net) return;
+    this.part = part;
+    this.net = net;
+    this.picture.request();
+  }
+
+  /** Shows the largest of the nets that came out. */
+  finish({ pieces, labels }: JobResult): void {
+    const [largest] = [...pieces].sort((a, b) => b.sources.length - a.sources.length);
+    if (!largest) return;
+    this.paint(labels);
+    for (const { part } of pieces) this.found(part);
+    this.words.textContent = `part ${largest.part + 1}, without overlaps`;
+    this.net = finishedNet(largest);
+    this.picture.request();
+  }
+
+  /** Fills the chip of a part that has a net now. */
+  found(part: number): void {
+    while (this.chips.children.length <= part) this.addChip(this.chips.children.length);
+    this.chips.children[part]?.classList.add('chip--found');
+  }
+
+  /** What drawing asks: a face's part and whether to hatch it. */
+  private style(): NetStyle {
+    return { partOf: (face) => this.labels?.[face] ?? this.part, hatched: this.hatched };
+  }
+
+  private addChip(part: number): void {
+    const chip = make('span', { className: 'chip' });
+    chip.style.setProperty('--colour', partColour(part));
+    this.chips.append(chip);
+  }
+}

@@ -1,0 +1,102 @@
+import type { JobEvent, JobResult } from '../model/job.js';
+import { ChartPanel } from './chart-panel.js';
+import { find } from './dom.js';
+import { MatrixPanel } from './matrix-panel.js';
+import { ModelPanel } from './model-panel.js';
+import { NetPanel } from './net-panel.js';
+
+/**
+ * Where a run can be watched: the model, its foldability, the net under search and its fitness.
+ * When a result arrives, the model moves beside it and the other pictures below it.
+ */
+export class Workshop {
+  private readonly room = find('#workshop', HTMLElement);
+  private readonly views = find('#workshop-views', HTMLElement);
+  private readonly note = find('#workshop-note', HTMLElement);
+  private readonly pictures = find('#pictures', HTMLElement);
+  private readonly model = new ModelPanel();
+  private readonly matrix = new MatrixPanel();
+  private readonly net = new NetPanel();
+  private readonly chart = new ChartPanel();
+  private modelName = '';
+  /** Whether the pictures are of the present run. */
+  private open = false;
+
+  /** Whether a run that ended without a result has left something to see. */
+  get shown(): boolean {
+    return !this.room.hidden;
+  }
+
+  /** Loads what the pictures need, for a run that will come. */
+  prepare(): void {
+    this.model.prepare();
+  }
+
+  /** Awaits a run; what is on the page stays until the first of its pictures comes. */
+  begin(modelName: string): void {
+    this.modelName = modelName;
+    this.open = false;
+    this.room.hidden = true;
+    this.model.prepare();
+  }
+
+  /** Takes an event of the run in. */
+  follow(event: JobEvent): void {
+    switch (event.type) {
+      case 'model':
+        this.enter();
+        this.model.show(this.modelName, event);
+        break;
+      case 'learned':
+        if (event.matrix) this.matrix.show(event.matrix);
+        break;
+      case 'segmented':
+        this.model.paint(event.labels);
+        this.net.paint(event.labels);
+        break;
+      case 'generation':
+        this.net.follow(event);
+        this.chart.follow(event);
+        break;
+      case 'net':
+        this.net.found(event.part);
+        break;
+      default:
+        break;
+    }
+  }
+
+  /** Clears away for the result: the pictures move to it. */
+  finish(result: JobResult): void {
+    this.model.turn(false);
+    this.model.finish(this.modelName, result.model, result.labels);
+    this.net.finish(result);
+    find('#result-model', HTMLElement).append(this.model.figure);
+    find('#result-pictures', HTMLElement).append(this.pictures);
+    this.room.hidden = true;
+  }
+
+  /** Keeps what there is of a run that ended without a result, and says why it is no more. */
+  stop(words: string): void {
+    this.model.turn(false);
+    this.note.textContent = words;
+    this.note.hidden = !this.open;
+  }
+
+  /** Draws the parts with hatches, or without. */
+  hatch(hatched: boolean): void {
+    this.model.hatch(hatched);
+    this.net.hatch(hatched);
+  }
+
+  private enter(): void {
+    this.open = true;
+    this.note.hidden = true;
+    this.matrix.clear();
+    this.net.clear();
+    this.chart.clear();
+    this.views.append(this.model.figure, this.pictures);
+    this.room.hidden = false;
+    this.model.turn(true);
+  }
+}

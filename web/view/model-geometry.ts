@@ -1,0 +1,99 @@
+/** Triangles ready for the graphics card: every face has corners of its own, for flat shading. */
+export interface FlatMesh {
+  /** 3 per corner, moved and scaled so that the model just fits into the unit sphere. */
+  positions: Float32Array;
+  /** 3 per corner, of unit length; the same for all corners of a face. */
+  normals: Float32Array;
+  /** 2 per corner, along the face's plane: where a hatch lies. */
+  uvs: Float32Array;
+}
+
+/** What a model around the origin fills while it turns around the upright axis. */
+export interface Extent {
+  /** Farthest up or down that it appears, seen from a little above. */
+  up: number;
+  /** Farthest from the axis. */
+  reach: number;
+  /** Whether it is longer from front to back than across. */
+  deep: boolean;
+}
+
+/** Tiles of a hatch along the radius of the model. */
+const tilesPerRadius = 14;
+
+type Numbers = Float32Array | Float64Array;
+
+/** Moves the middle of the bounding box to the origin and the farthest vertex to distance 1. */
+function fitVertices(vertices: Numbers): Float32Array {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  vertices.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3]!, value);
+    high[i % 3] = Math.max(high[i % 3]!, value);
+  });
+  const fitted = Float32Array.from(
+    vertices,
+    (value, i) => value - (low[i % 3]! + high[i % 3]!) / 2,
+  );
+  let radius = 0;
+  for (let i = 0; i < fitted.length; i += 3) {
+    radius = Math.max(radius, Math.hypot(fitted[i]!, fitted[i + 1]!, fitted[i + 2]!));
+  }
+  return fitted.map((value) => value / (radius || 1));
+}
+
+/** Unit normal of the triangle whose corners start at `at`; zero if it has no area. */
+function faceNormal(p: Float32Array, at: number): [number, number, number] {
+  const edge = (corner: number, axis: number): number => p[at + 3 * corner + axis]! - p[at + axis]!;
+  const [ax, ay, az] = [edge(1, 0), edge(1, 1), edge(1, 2)];
+  const [bx, by, bz] = [edge(2, 0), edge(2, 1), edge(2, 2)];
+  const [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+  const length = Math.hypot(x, y, z) || 1;
+  return [x / length, y / length, z / length];
+}
+
+/**
+ * Builds the triangles of a model once; colours come and go without it.
+ *
+ * @param vertices 3 per vertex
+ * @param faces 3 per face, counter-clockwise from outside
+ */
+export function flatMesh(vertices: Numbers, faces: Int32Array): FlatMesh {
+  const fitted = fitVertices(vertices);
+  const positions = new Float32Array(3 * faces.length);
+  const normals = new Float32Array(3 * faces.length);
+  const uvs = new Float32Array(2 * faces.length);
+  faces.forEach((vertex, corner) => {
+    positions.set(fitted.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
+  });
+  for (let corner = 0; corner < faces.length; ++corner) {
+    const normal = faceNormal(positions, 9 * Math.floor(corner / 3));
+    normals.set(normal, 3 * corner);
+    // Seen along the axis that the face faces most, a hatch is stretched least.
+    const sizes = normal.map(Math.abs);
+    const away = sizes.indexOf(Math.max(...sizes));
+    uvs[2 * corner] = positions[3 * corner + ((away + 1) % 3)]! * tilesPerRadius;
+    uvs[2 * corner + 1] = positions[3 * corner + ((away + 2) % 3)]! * tilesPerRadius;
+  }
+  return { positions, normals, uvs };
+}
+
+/**
+ * How much room a model takes while it turns.
+ *
+ * @param positions 3 per corner, around the origin
+ * @param height angle in radians from which it is seen, above the horizon
+ */
+export function extentOf(positions: Float32Array, height: number): Extent {
+  const [sine, cosine] = [Math.sin(height), Math.cos(height)];
+  let [up, reach, halfWidth, halfDepth] = [0, 0, 0, 0];
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+    const radius = Math.hypot(x, z);
+    up = Math.max(up, Math.abs(y) * cosine + radius * sine);
+    reach = Math.max(reach, radius);
+    halfWidth = Math.max(halfWidth, Math.abs(x));
+    halfDepth = Math.max(halfDepth, Math.abs(z));
+  }
+  return { up, reach, deep: halfDepth > halfWidth };
+}

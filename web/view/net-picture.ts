@@ -1,0 +1,93 @@
+import type { NetPicture } from '../model/job.js';
+import { hatchFill } from './hatch-tile.js';
+import { partColour } from './part-colours.js';
+import { partHatch } from './part-hatches.js';
+
+const ink = '#232a31';
+const foldLine = 'rgb(35 42 49 / 55%)';
+// Stronger and darker than any part, and see-through, so that layers show.
+const overlapFill = 'rgb(214 20 30 / 72%)';
+const overlapLine = '#7d0a12';
+
+/** Free space around the net and size of the tiles of hatches, in CSS pixels. */
+const margin = 8;
+const tile = 10;
+
+interface Placing {
+  scale: number;
+  x: number;
+  y: number;
+}
+
+/** Places the net in the middle, as large as fits, with y down. */
+function placeNet(corners: Float32Array, width: number, height: number): Placing {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let i = 0; i < corners.length; i += 2) {
+    left = Math.min(left, corners[i]!);
+    right = Math.max(right, corners[i]!);
+    low = Math.min(low, corners[i + 1]!);
+    high = Math.max(high, corners[i + 1]!);
+  }
+  const room = (length: number, extent: number): number => (length - 2 * margin) / (extent || 1);
+  const scale = Math.min(room(width, right - left), room(height, high - low));
+  return {
+    scale,
+    x: width / 2 - (scale * (left + right)) / 2,
+    y: height / 2 + (scale * (low + high)) / 2,
+  };
+}
+
+/** One path of the faces with this part, or of the overlapping ones, for each that occurs. */
+function facePaths(
+  net: NetPicture,
+  { scale, x, y }: Placing,
+  partOf: (face: number) => number,
+): { parts: Map<number, Path2D>; overlapping: Path2D } {
+  const parts = new Map<number, Path2D>();
+  const overlapping = new Path2D();
+  net.sources.forEach((source, face) => {
+    const part = partOf(source);
+    let path = net.overlapping[face] ? overlapping : parts.get(part);
+    if (!path) parts.set(part, (path = new Path2D()));
+    for (let corner = 0; corner < 3; ++corner) {
+      const i = 6 * face + 2 * corner;
+      const [right, down] = [x + scale * net.corners[i]!, y - scale * net.corners[i + 1]!];
+      if (corner === 0) path.moveTo(right, down);
+      else path.lineTo(right, down);
+    }
+    path.closePath();
+  });
+  return { parts, overlapping };
+}
+
+export interface NetStyle {
+  /** The part of a face of the model. */
+  partOf: (face: number) => number;
+  hatched: boolean;
+}
+
+/** Draws a net into a canvas of this size: faces in the colours of their parts, overlaps in red. */
+export function drawNet(
+  context: CanvasRenderingContext2D,
+  width: number,
+  height: number,
+  net: NetPicture,
+  { partOf, hatched }: NetStyle,
+): void {
+  if (net.sources.length === 0) return;
+  const { parts, overlapping } = facePaths(net, placeNet(net.corners, width, height), partOf);
+  context.lineJoin = 'round';
+  context.lineWidth = 0.5;
+  context.strokeStyle = foldLine;
+  for (const [part, path] of parts) {
+    const colour = partColour(part);
+    context.fillStyle = hatched ? hatchFill(colour, ink, partHatch(part), tile) : colour;
+    context.fill(path);
+    context.stroke(path);
+  }
+  context.fillStyle = overlapFill;
+  context.strokeStyle = overlapLine;
+  context.lineWidth = 1;
+  context.fill(overlapping);
+  context.stroke(overlapping);
+}
