@@ -15,7 +15,7 @@ FoldabilityMatrix learn(const Unfoldable& surface, int runs) {
 
 std::string fault_of_parts(const DualGraph& graph, const Labels& labels) {
   if (static_cast<int>(labels.size()) != graph.panel_count()) return "a panel without a label";
-  if (labels != renumbered(labels)) return "numbers with gaps or out of order";
+  if (part_count(labels) != part_count(renumbered(labels))) return "a number that no panel has";
   const int pieces = part_count(part_pieces(graph, labels));
   if (pieces == part_count(labels)) return "";
   return std::to_string(pieces) + " pieces of " + std::to_string(part_count(labels)) + " parts";

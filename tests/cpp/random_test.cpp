@@ -41,6 +41,22 @@ TEST(Random, DrawsRealsEvenlyFromTheHalfOpenUnitInterval) {
   EXPECT_NEAR(squares / 100000, 1.0 / 3, 0.005);
 }
 
+TEST(Random, DrawsNormalNumbers) {
+  Random random(4);
+  double sum = 0;
+  double squares = 0;
+  int within_one = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double x = random.normal();
+    sum += x;
+    squares += x * x;
+    within_one += std::abs(x) < 1;
+  }
+  EXPECT_NEAR(sum / 100000, 0, 0.02);
+  EXPECT_NEAR(squares / 100000, 1, 0.03);
+  EXPECT_NEAR(within_one / 100000.0, 0.6827, 0.01);
+}
+
 TEST(TaskSeed, IsPinned) { EXPECT_EQ(task_seed(1, 2, 3, 4), 0xd55ccd4aeb3ccafb); }
 
 TEST(TaskSeed, TellsAllTasksApart) {

@@ -1,0 +1,110 @@
+#include "search/border_exchange.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "meshes.h"
+#include "parts.h"
+#include "trees.h"
+
+namespace foldwright::testing {
+namespace {
+
+using State = BorderExchange::State;
+
+constexpr std::int64_t kToTheEnd = std::numeric_limits<std::int64_t>::max();
+
+/// A fan of 8 faces around a vertex, and an apron of up to 8 quads along its rim.
+Mesh saddle_with_apron(double turn, int quads) {
+  const Mesh fan = saddle(8, turn);
+  std::vector<Vec3> positions = fan.positions;
+  std::vector<std::array<int, 3>> faces = fan.faces;
+  const int outer = fan.vertex_count();
+  for (int i = 1; i <= quads + 1; ++i) positions.push_back(2 * fan.positions[i] + Vec3(0, 0, 1));
+  for (int i = 0; i < quads; ++i) {
+    faces.push_back({i + 2, i + 1, outer + i});
+    faces.push_back({i + 2, outer + i, outer + i + 1});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+/// The fan as part 0 and the apron as part 1.
+struct Apron {
+  Mesh mesh;
+  DualGraph graph;
+  Labels labels;
+
+  Apron(double turn, int quads)
+      : mesh(saddle_with_apron(turn, quads)), graph(build_dual_graph(mesh)) {
+    for (int panel = 0; panel < graph.panel_count(); ++panel) {
+      labels.push_back(graph.panel_faces(panel)[0] < 8 ? 0 : 1);
+    }
+  }
+
+  PartsSoFar parts() const { return {labels, {}, {{0, 1}}}; }
+};
+
+TEST(BorderExchange, CuresAPartWithoutANet) {
+  const Apron apron(7, 3);  // 401 degrees
+  const DualGraph fan = restrict_to(apron.graph, panels_of(apron.labels, 0));
+  for (const FoldTree& folds : all_spanning_trees(fan)) {
+    ASSERT_FALSE(is_net(apron.mesh, fan, folds)) << "there is nothing to cure";
+  }
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    BorderExchange exchange(apron.mesh, apron.graph, apron.parts(), {.seed = seed});
+    ASSERT_EQ(exchange.step(kToTheEnd), State::kFound);
+    EXPECT_EQ(exchange.overlaps(), 0);
+    EXPECT_EQ(fault_of_parts(apron.graph, exchange.labels()), "");
+    EXPECT_EQ(part_count(exchange.labels()), 2);
+    for (const int part : {0, 1}) {
+      const DualGraph graph = restrict_to(apron.graph, panels_of(exchange.labels(), part));
+      ASSERT_TRUE(exchange.trees().contains(part));
+      EXPECT_TRUE(is_net(apron.mesh, graph, exchange.trees().at(part)));
+    }
+  }
+}
+
+TEST(BorderExchange, KeepsPartsConnectedAllTheWay) {
+  const Apron apron(7, 3);  // 401 degrees
+  BorderExchange exchange(apron.mesh, apron.graph, apron.parts(), {.seed = 1});
+  while (exchange.step(1) == State::kRunning) {
+    ASSERT_EQ(fault_of_parts(apron.graph, exchange.labels()), "");
+    ASSERT_EQ(part_count(exchange.labels()), 2);
+    EXPECT_GE(exchange.progress(), 0);
+    EXPECT_LE(exchange.progress(), 1);
+  }
+}
+
+TEST(BorderExchange, DoesNotDependOnTheSlicing) {
+  const Apron apron(7, 3);  // 401 degrees
+  const auto run = [&](std::int64_t slice) {
+    BorderExchange exchange(apron.mesh, apron.graph, apron.parts(), {.seed = 3});
+    while (exchange.step(slice) == State::kRunning) continue;
+    return std::tuple(exchange.labels(), exchange.trees(), exchange.moves());
+  };
+  const auto at_once = run(kToTheEnd);
+  for (const std::int64_t slice : {1, 100, 3000}) EXPECT_EQ(run(slice), at_once);
+}
+
+TEST(BorderExchange, GivesUpWithoutANeighbour) {
+  const Mesh mesh = saddle(8, 7);
+  const DualGraph graph = build_dual_graph(mesh);
+  BorderExchange exchange(mesh, graph, {Labels(8, 0), {}, {{0, 1}}});
+  EXPECT_EQ(exchange.step(kToTheEnd), State::kGaveUp);
+  EXPECT_EQ(exchange.labels(), Labels(8, 0));
+  EXPECT_GT(exchange.overlaps(), 0);
+}
+
+TEST(BorderExchange, KeepsPartsConnectedWhenItGivesUp) {
+  // Of 600 degrees at least 375 are left after three exchanges.
+  const Apron apron(10.5, 1);
+  BorderExchange exchange(apron.mesh, apron.graph, apron.parts(), {.most_steps = 3});
+  EXPECT_EQ(exchange.step(kToTheEnd), State::kGaveUp);
+  EXPECT_EQ(fault_of_parts(apron.graph, exchange.labels()), "");
+  EXPECT_EQ(part_count(exchange.labels()), 2);
+}
+
+}  // namespace
+}  // namespace foldwright::testing
