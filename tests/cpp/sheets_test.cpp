@@ -1,0 +1,159 @@
+#include "paper/sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mesh/input_error.h"
+#include "meshes.h"
+#include "trees.h"
+
+namespace foldwright::testing {
+namespace {
+
+/// A rectangle of two triangles, turned by an odd angle.
+Net rectangle(double width, double height) {
+  Mesh mesh = open_strip(1);
+  const RigidMotion2 turn{0.6, 0.8, Vec2(5, -3)};
+  for (Vec3& p : mesh.positions) {
+    const Vec2 q = turn(Vec2(width * p.x(), height * p.y()));
+    p = Vec3(q.x(), q.y(), 0);
+  }
+  return make_net(mesh, build_dual_graph(mesh), {});
+}
+
+Box2 box_of(const Net& net) {
+  Box2 box{1e300, 1e300, -1e300, -1e300};
+  for (const Vec2& p : net.vertices) {
+    box = {std::min(box.min_x, p.x()), std::min(box.min_y, p.y()), std::max(box.max_x, p.x()),
+           std::max(box.max_y, p.y())};
+  }
+  return box;
+}
+
+/// The box of a net on its sheet.
+Box2 placed(const Net& net, const Placement& place) {
+  const Box2 box = box_of(net);
+  return {place.x + box.min_x, place.y + box.min_y, place.x + box.max_x, place.y + box.max_y};
+}
+
+double net_area(const Net& net) {
+  double twice = 0;
+  for (const auto& [a, b, c] : net.corners) {
+    twice += cross(net.vertices[b] - net.vertices[a], net.vertices[c] - net.vertices[a]);
+  }
+  return twice / 2;
+}
+
+void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLayout& layout,
+                                     const SheetOptions& options) {
+  ASSERT_EQ(layout.placements.size(), nets.size());
+  std::vector<char> used(layout.sheet_count, 0);
+  const double least = options.margin - 1e-9;
+  for (std::size_t i = 0; i < nets.size(); ++i) {
+    ASSERT_GE(layout.placements[i].sheet, 0);
+    ASSERT_LT(layout.placements[i].sheet, layout.sheet_count);
+    used[layout.placements[i].sheet] = 1;
+    EXPECT_NEAR(box_of(nets[i]).min_x, 0, 1e-9);
+    EXPECT_NEAR(box_of(nets[i]).min_y, 0, 1e-9);
+    const Box2 box = placed(nets[i], layout.placements[i]);
+    EXPECT_GE(box.min_x, least);
+    EXPECT_GE(box.min_y, least);
+    EXPECT_LE(box.max_x, layout.sheet_width - least);
+    EXPECT_LE(box.max_y, layout.sheet_height - least);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (layout.placements[i].sheet != layout.placements[j].sheet) continue;
+      Box2 other = placed(nets[j], layout.placements[j]);
+      const double gap = options.gap - 1e-6;
+      other = {other.min_x - gap, other.min_y - gap, other.max_x + gap, other.max_y + gap};
+      EXPECT_FALSE(box.meets(other)) << i << " and " << j;
+    }
+  }
+  EXPECT_EQ(std::ranges::count(used, 0), 0) << "an empty sheet";
+}
+
+std::vector<Net> random_nets(Random& random, int count) {
+  std::vector<Net> nets;
+  for (int i = 0; i < count; ++i) {
+    const Mesh mesh = random_hull(random.bits(), 4 + random.below(30));
+    const DualGraph graph = build_dual_graph(mesh);
+    nets.push_back(make_net(mesh, graph, random_tree(graph, random)));
+    const double factor = 0.2 + random.uniform();
+    for (Vec2& p : nets.back().vertices) p *= factor;
+  }
+  return nets;
+}
+
+TEST(LayOnSheets, KeepsNetsWithinTheMarginsAndApart) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Net> nets = random_nets(random, 1 + random.below(15));
+    const std::vector<Net> before = nets;
+    SheetOptions options;
+    options.margin = 20 * random.uniform();
+    options.gap = 10 * random.uniform();
+    options.orientation = static_cast<Orientation>(random.below(3));
+    const SheetLayout layout = lay_on_sheets(nets, options);
+    expect_within_margins_and_apart(nets, layout, options);
+    double area = 0;
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+      area += net_area(nets[i]);
+      const double factor = layout.scale * layout.scale;
+      EXPECT_NEAR(net_area(nets[i]), factor * net_area(before[i]), 1e-9 * net_area(nets[i]));
+    }
+    const double paper = layout.sheet_count * layout.sheet_width * layout.sheet_height;
+    EXPECT_NEAR(layout.efficiency, area / paper, 1e-12);
+  }
+}
+
+TEST(LayOnSheets, MakesTheLargestNetJustFit) {
+  std::vector<Net> nets = {rectangle(1, 2), rectangle(0.5, 0.5)};
+  const SheetLayout layout = lay_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
+  EXPECT_NEAR(layout.scale, 100, 1e-6);
+  const Box2 box = placed(nets[0], layout.placements[0]);
+  EXPECT_NEAR(box.min_x, 10, 1e-6);
+  EXPECT_NEAR(box.max_x, 110, 1e-6);
+  EXPECT_NEAR(box.min_y, 10, 1e-6);
+  EXPECT_NEAR(box.max_y, 210, 1e-6);
+}
+
+TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {
+  const auto make_nets = [] { return std::vector<Net>{rectangle(1, 1.4), rectangle(1, 1.4)}; };
+  // Two pieces of nearly the sheet's shape: on portrait each fills one sheet, and so on landscape.
+  std::vector<Net> nets = make_nets();
+  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kPortrait}).sheet_width, 210);
+  nets = make_nets();
+  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kLandscape}).sheet_width, 297);
+  nets = make_nets();
+  const SheetLayout chosen = lay_on_sheets(nets);
+  EXPECT_EQ(chosen.sheet_width, 210) << "portrait among equals";
+  // A long and a short piece that go below each other on a wide sheet only.
+  std::vector<Net> long_and_short = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
+  const SheetLayout wide = lay_on_sheets(long_and_short, {.margin = 5});
+  std::vector<Net> again = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
+  const SheetLayout tall =
+      lay_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
+  EXPECT_LE(wide.sheet_count, tall.sheet_count);
+}
+
+TEST(LayOnSheets, PutsSmallPiecesOnOneSheet) {
+  std::vector<Net> nets = {rectangle(1, 1.5)};
+  for (int i = 0; i < 4; ++i) nets.push_back(rectangle(0.01, 0.01));
+  nets[0] = rectangle(1, 0.5);
+  EXPECT_EQ(lay_on_sheets(nets).sheet_count, 1);
+}
+
+TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {
+  std::vector<Net> nets = {rectangle(1, 1)};
+  try {
+    lay_on_sheets(nets, {.width = 100, .height = 200, .margin = 50});
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.code(), "bad-margin");
+    EXPECT_NE(std::string(error.what()).find("margin"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace foldwright::testing
