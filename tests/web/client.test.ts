@@ -1,139 +1,162 @@
 import { describe, expect, it } from 'vitest';
 import { runJob } from '../../web/core/client.js';
-import { serveEngine, type Engine } from '../../web/core/engine-worker.js';
-import type { Answer, Request, TimedEvent } from '../../web/core/protocol.js';
-import { Transport, type PortListener } from '../../web/core/transport.js';
+import type { Pool } from '../../web/core/pool.js';
+import type { TimedEvent } from '../../web/core/protocol.js';
 import { defaultOptions } from '../../web/model/default-options.js';
 import type { JobEvent } from '../../web/model/job.js';
 import { tetrahedronResult } from './fixtures.js';
+import { deafPort, engineOf, localPort, mortalPort, poolOf, type Script } from './local-pool.js';
 
 const done: JobEvent[] = [{ type: 'done', result: tetrahedronResult() }];
 const progress = (value: number): JobEvent => ({ type: 'stage', stage: 'search', progress: value });
 
-/** An engine whose jobs go through these steps and then repeat the last one. */
-function engineOf(steps: JobEvent[][]): Engine {
-  return {
-    createJob() {
-      let next = 0;
-      return {
-        step() {
-          return steps[Math.min(next++, steps.length - 1)]!;
-        },
-        delete() {
-          next = NaN;
-        },
-      };
-    },
-  };
+/** Workers of which all do the same. */
+function poolFor(script: Script, size = 1) {
+  return poolOf(size, (listener) => localPort(engineOf(script), listener));
 }
 
-/** A worker in this thread; `deaf` ones take requests and answer nothing. */
-function localPort(engine: Engine, listener: PortListener, deaf: boolean) {
-  let open = true;
-  const later = (call: () => void) => setImmediate(() => open && call());
-  const handle = serveEngine({
-    loadEngine: () => Promise.resolve(engine),
-    post: (answer: Answer) => later(() => listener.onAnswer(answer)),
-    pause: () => new Promise((resolve) => setImmediate(resolve)),
-  });
-  return {
-    post: (request: Request) => deaf || later(() => handle(request)),
-    close: () => {
-      open = false;
-    },
-  };
-}
-
-function transportOf(engine: Engine, deaf: (worker: number) => boolean = () => false) {
-  const spawned = { count: 0 };
-  const transport = new Transport((listener) => localPort(engine, listener, deaf(spawned.count++)));
-  return { transport, spawned };
-}
-
-function run(transport: Transport, options: Parameters<typeof runJob>[4] = {}) {
-  return runJob(transport, new Uint8Array(3), 'model.obj', defaultOptions, options);
+function run(pool: Pool, options: Parameters<typeof runJob>[4] = {}) {
+  return runJob(pool, new Uint8Array(3), 'model.obj', defaultOptions, options);
 }
 
 describe('runJob', () => {
   it('resolves with the result and its times', async () => {
-    const { transport } = transportOf(engineOf([[progress(0.1)], [progress(0.9)], done]));
-    const result = await run(transport);
+    const { pool } = poolFor({ steps: [[progress(0.1)], [progress(0.9)], done] });
+    const result = await run(pool);
     expect(result.parts).toBe(1);
     expect(result.seconds.total).toBeGreaterThanOrEqual(result.seconds.search);
   });
 
   it('rejects with the code and sentence of an error', async () => {
-    const { transport } = transportOf(
-      engineOf([[{ type: 'error', code: 'bad-index', text: 'line 3: no vertex 9' }]]),
-    );
-    await expect(run(transport)).rejects.toMatchObject({
+    const { pool } = poolFor({
+      steps: [[{ type: 'error', code: 'bad-index', text: 'line 3: no vertex 9' }]],
+    });
+    await expect(run(pool)).rejects.toMatchObject({
       name: 'JobError',
       code: 'bad-index',
       message: 'line 3: no vertex 9',
     });
   });
 
-  it('cancels a running job and keeps its worker', async () => {
-    const { transport, spawned } = transportOf(engineOf([[progress(0.5)]]));
+  it('cancels a running job and keeps its workers', async () => {
+    const { pool, spawned } = poolFor({ steps: [[progress(0.5)]] });
     const control = new AbortController();
-    const aborted = run(transport, {
+    const aborted = run(pool, {
       signal: control.signal,
       onEvent: () => control.abort(),
     });
     await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
-    expect(spawned.count).toBe(1);
+    expect([spawned.count, pool.workers.length]).toEqual([1, 1]);
   });
 
   it('replaces a worker that does not answer a cancel', async () => {
-    const { transport, spawned } = transportOf(engineOf([done]), (worker) => worker === 0);
+    const { pool, spawned } = poolOf(1, (listener, worker) =>
+      worker === 0 ? deafPort() : localPort(engineOf({ steps: [done] }), listener),
+    );
     const control = new AbortController();
-    const aborted = run(transport, { signal: control.signal });
+    const aborted = run(pool, { signal: control.signal });
     setImmediate(() => control.abort());
-    const next = run(transport);
+    const next = run(pool);
     await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
     await expect(next).resolves.toMatchObject({ parts: 1 });
     expect(spawned.count).toBe(2);
   });
 
   it('never starts a job that was aborted before', async () => {
-    const { transport, spawned } = transportOf(engineOf([done]));
-    await expect(run(transport, { signal: AbortSignal.abort() })).rejects.toThrow();
+    const { pool, spawned } = poolFor({ steps: [done] });
+    await expect(run(pool, { signal: AbortSignal.abort() })).rejects.toThrow();
     expect(spawned.count).toBe(0);
   });
 
-  it('replaces a worker that died', async () => {
-    let alive = false;
-    const spawned = { count: 0 };
-    const transport = new Transport((listener) => {
-      ++spawned.count;
-      if (alive) return localPort(engineOf([done]), listener, false);
-      alive = true;
-      return {
-        post: () => setImmediate(() => listener.onDeath('memory access out of bounds')),
-        close: () => undefined,
-      };
-    });
-    await expect(run(transport)).rejects.toMatchObject({
+  it('fails when the conductor dies, and replaces it for the next run', async () => {
+    const { pool, spawned } = poolOf(1, (listener, worker) =>
+      mortalPort(engineOf({ steps: [done] }), listener, () => worker === 0),
+    );
+    await expect(run(pool)).rejects.toMatchObject({
       code: 'engine-died',
       message: 'The engine stopped unexpectedly: memory access out of bounds',
     });
-    await expect(run(transport)).resolves.toMatchObject({ parts: 1 });
+    await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
     expect(spawned.count).toBe(2);
   });
 
   it('runs jobs in the order in which they were given', async () => {
-    const { transport } = transportOf(engineOf([[progress(0.5)], done]));
+    const { pool } = poolFor({ steps: [[progress(0.5)], done] });
     const order: number[] = [];
-    await Promise.all([0, 1, 2].map((i) => run(transport).then(() => order.push(i))));
+    await Promise.all([0, 1, 2].map((i) => run(pool).then(() => order.push(i))));
     expect(order).toEqual([0, 1, 2]);
   });
 
   it('tells the last of each kind before the end', async () => {
     const steps = Array.from({ length: 60 }, (_, i) => [progress(i / 60)]);
-    const { transport } = transportOf(engineOf([...steps, done]));
+    const { pool } = poolFor({ steps: [...steps, done] });
     const heard: TimedEvent[] = [];
-    await run(transport, { onEvent: (event) => heard.push(event) });
+    await run(pool, { onEvent: (event) => heard.push(event) });
     expect(heard.length).toBeLessThan(60);
     expect(heard.slice(-2)).toMatchObject([{ type: 'stage', progress: 59 / 60 }, { type: 'done' }]);
+  });
+
+  it('fails a job whose workers are closed under it', async () => {
+    const { pool } = poolFor({ steps: [[progress(0.5)]] });
+    const failed = run(pool, { onEvent: () => pool.close() });
+    await expect(failed).rejects.toMatchObject({ code: 'engine-died' });
+  });
+});
+
+describe('runJob with helpers', () => {
+  const script: Script = { steps: [[progress(0.1)], [progress(0.9)], done], tasks: 6, length: 40 };
+
+  it('starts them when tasks wait, and no more than fit', async () => {
+    const { pool, spawned } = poolFor(script, 3);
+    await run(pool);
+    expect(spawned.count).toBe(3);
+    await run(pool);
+    expect(spawned.count).toBe(3);
+  });
+
+  it('starts none for tasks that take but a moment', async () => {
+    const { pool, spawned } = poolFor({ ...script, length: 1 }, 3);
+    await run(pool);
+    expect(spawned.count).toBe(1);
+  });
+
+  it('runs the task of one that died again', async () => {
+    const { pool, spawned } = poolOf(2, (listener, worker) =>
+      mortalPort(engineOf(script), listener, ({ type }) => worker === 1 && type === 'task'),
+    );
+    await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
+    expect(spawned.count).toBe(3);
+  });
+
+  it('does without them where none can be started', async () => {
+    const { pool, spawned } = poolOf(2, (listener, worker) => {
+      if (worker === 0) return localPort(engineOf(script), listener);
+      setImmediate(() => listener.onDeath('its script could not be loaded'));
+      return deafPort();
+    });
+    await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
+    expect(spawned.count).toBe(2);
+  });
+
+  it('fails a job of which a task ends three of them', async () => {
+    const { pool } = poolOf(2, (listener, worker) =>
+      mortalPort(engineOf(script), listener, ({ type }) => worker > 0 && type === 'task'),
+    );
+    await expect(run(pool)).rejects.toMatchObject({
+      code: 'engine-died',
+      message:
+        'The engine stopped unexpectedly 3 times at the same task: memory access out of bounds',
+    });
+  });
+
+  it('replaces those that do not answer a cancel', async () => {
+    const { pool } = poolOf(2, (listener, worker) =>
+      worker === 1 ? deafPort() : localPort(engineOf({ ...script, tasks: 2 }), listener),
+    );
+    // The second worker keeps its task for ever.
+    const signal = AbortSignal.timeout(300);
+    await expect(run(pool, { signal })).rejects.toMatchObject({ name: 'TimeoutError' });
+    expect(pool.workers).toHaveLength(1);
+    await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
   });
 });

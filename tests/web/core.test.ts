@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { EventThrottle } from '../../web/core/event-throttle.js';
+import { poolSize } from '../../web/core/pool-size.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
+import { TaskDesk } from '../../web/core/task-desk.js';
 import { buffersOf } from '../../web/core/transfer.js';
 import type { Stage } from '../../web/model/job.js';
 
@@ -27,28 +29,43 @@ describe('EventThrottle', () => {
     return { type: 'stage', stage: name, progress, seconds: 0 };
   };
 
-  it('keeps the latest of each kind and lets everything else pass', () => {
-    const sent: TimedEvent[] = [];
-    const throttle = new EventThrottle((event) => sent.push(event));
+  const generation = (number: number): TimedEvent => {
+    return { type: 'generation', part: 0, generation: number, best: 0, overlaps: 0, hyperbolic: 0 };
+  };
+
+  it('drops only what a later event of the batch tells as well', () => {
+    const sent: TimedEvent[][] = [];
+    const throttle = new EventThrottle((events) => sent.push(events));
+    const learned: TimedEvent = { type: 'learned', runs: 10, of: 400 };
+    const matrix: TimedEvent = { ...learned, matrix: { size: 0, values: new Uint8Array() } };
+    const net: TimedEvent = { type: 'net', part: 0, piece: 0 };
     throttle.push(stage(0.1));
     throttle.release(0);
-    throttle.push(stage(0.2));
-    throttle.push(stage(0.3));
-    throttle.push({ type: 'learned', runs: 10, of: 400 });
+    const events = [stage(0.2), learned, matrix, net, stage(0.3), learned, matrix, stage(0.4)];
+    for (const event of events) throttle.push(event);
     throttle.release(50);
-    throttle.push({ type: 'net', part: 0, piece: 0 });
-    expect(sent).toEqual([stage(0.1), { type: 'net', part: 0, piece: 0 }]);
+    expect(sent).toEqual([[stage(0.1)]]);
     throttle.release(125);
-    expect(sent.at(-1)).toEqual(stage(0.3));
+    expect(sent[1]).toEqual([matrix, net, learned, matrix, stage(0.4)]);
     throttle.flush();
-    expect(sent.at(-1)).toEqual({ type: 'learned', runs: 10, of: 400 });
+    expect(sent).toHaveLength(2);
+  });
+
+  it('tells every generation, in order', () => {
+    const sent: TimedEvent[] = [];
+    const throttle = new EventThrottle((events) => sent.push(...events));
+    const all = Array.from({ length: 500 }, (_, i) => generation(i + 1));
+    all.forEach((event, i) => {
+      throttle.push(event);
+      throttle.release(i);
+    });
     throttle.flush();
-    expect(sent).toHaveLength(4);
+    expect(sent).toEqual(all);
   });
 
   it('tells at once that a stage begins', () => {
     const sent: TimedEvent[] = [];
-    const throttle = new EventThrottle((event) => sent.push(event));
+    const throttle = new EventThrottle((events) => sent.push(...events));
     throttle.push(stage(0.1));
     throttle.release(0);
     throttle.push(stage(0.5, 'cluster'));
@@ -56,19 +73,65 @@ describe('EventThrottle', () => {
     expect(sent).toEqual([stage(0.1), stage(0.5, 'cluster')]);
   });
 
-  it('sends at most ten in any second, whatever happens', () => {
+  it('sends at most ten batches in any second, whatever happens', () => {
     const times: number[] = [];
     let now = 0;
     const throttle = new EventThrottle(() => times.push(now));
     for (; now < 5000; now += 10) {
       throttle.push(stage(0.5, now % 20 === 0 ? 'learn' : 'search'));
-      throttle.push({ type: 'learned', runs: 10, of: 400 });
+      throttle.push(generation(now));
       throttle.release(now);
     }
     for (const time of times) {
       expect(times.filter((other) => other >= time && other < time + 1000).length).toBeLessThan(11);
     }
     expect(times.length).toBeGreaterThanOrEqual(40);
+  });
+});
+
+describe('poolSize', () => {
+  it('takes the cores, at most four, and two where memory is short', () => {
+    expect([1, 2, 4, 16].map((cores) => poolSize(cores))).toEqual([1, 2, 4, 4]);
+    expect([1, 2, 8].map((cores) => poolSize(cores, 4))).toEqual([1, 2, 2]);
+    expect(poolSize(8, 8)).toBe(4);
+  });
+});
+
+describe('TaskDesk', () => {
+  const bytes = new Uint8Array(1);
+
+  it('gives each helper one task at a time, and a surface only once', () => {
+    const desk = new TaskDesk();
+    for (const id of [0, 1, 2]) desk.add(id, 7, bytes);
+    desk.join(5);
+    expect(desk.assign()).toMatchObject({ helper: 5, task: { id: 0 }, needsSurface: true });
+    expect(desk.assign()).toBeUndefined();
+    expect(desk.isOut(5, 0)).toBe(true);
+    desk.finish(5);
+    expect(desk.assign()).toMatchObject({ helper: 5, task: { id: 1 }, needsSurface: false });
+    expect(desk.takeOwn()).toMatchObject({ id: 2 });
+    expect([desk.waitingCount, desk.outCount]).toEqual([0, 1]);
+  });
+
+  it('gives the task of a dead helper to the next one, and never to the conductor', () => {
+    const desk = new TaskDesk();
+    for (const id of [0, 1]) desk.add(id, 7, bytes);
+    desk.join(5);
+    desk.assign();
+    desk.join(6);
+    expect(desk.leave(5)).toMatchObject({ id: 0, deaths: 1 });
+    expect(desk.takeOwn()).toMatchObject({ id: 1 });
+    expect(desk.takeOwn()).toBeUndefined();
+    expect(desk.assign()).toMatchObject({ helper: 6, task: { id: 0 }, needsSurface: true });
+  });
+
+  it('leaves nothing undone when there are no helpers any more', () => {
+    const desk = new TaskDesk();
+    desk.add(0, 7, bytes);
+    desk.join(5);
+    desk.assign();
+    desk.leave(5);
+    expect(desk.takeOwn()).toMatchObject({ id: 0 });
   });
 });
 

@@ -1,7 +1,7 @@
 import { runJob, type TimedResult } from '../core/client.js';
 import { engineDied, JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
-import type { Transport } from '../core/transport.js';
+import type { Pool } from '../core/pool.js';
 import type { JobOptions } from '../model/job.js';
 import type { ModelFile } from './model-file.js';
 
@@ -11,11 +11,11 @@ export type Outcome =
   | { type: 'cancelled' }
   | { type: 'failed'; text: string; crashed: boolean };
 
-/** Runs one job at a time in the engine's worker; a new one ends the one before. */
+/** Runs one job at a time in the engine's workers; a new one ends the one before. */
 export class JobRunner {
   private abort: AbortController | null = null;
 
-  constructor(private readonly transport: Transport) {}
+  constructor(private readonly pool: Pool) {}
 
   get running(): boolean {
     return this.abort !== null;
@@ -40,8 +40,8 @@ export class JobRunner {
       if (!signal.aborted) onEvent(event);
     };
     try {
-      const run = { signal, onEvent: hear };
-      const result = await runJob(this.transport, model.bytes, model.name, options, run);
+      const run = { signal, onEvent: hear, pictures: true };
+      const result = await runJob(this.pool, model.bytes, model.name, options, run);
       return { type: 'done', result };
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled' };

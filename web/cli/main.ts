@@ -2,7 +2,7 @@ import { basename, resolve } from 'node:path';
 import { version } from '../../package.json';
 import { runJob, type TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
-import { nodeTransport } from '../core/node-transport.js';
+import { nodePool } from '../core/node-pool.js';
 import { makeReport } from '../export/report.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
@@ -26,20 +26,20 @@ function checkOutputs({ model, outputs, report }: Commands): void {
   paths.forEach(checkWritable);
 }
 
-/** Runs the job in a worker, so that this thread hears signals at once. */
+/** Runs the job in workers, so that this thread hears signals at once. */
 async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedResult> {
   const { model, quiet, settings } = commands;
-  const transport = nodeTransport();
+  const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
   const progress = quiet ? null : new Progress(process.stderr);
   try {
-    return await runJob(transport, bytes, basename(model), jobOptions(settings), {
+    return await runJob(pool, bytes, basename(model), jobOptions(settings), {
       onEvent: (event) => progress?.hear(event),
     });
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
     progress?.clear();
-    transport.close();
+    pool.close();
   }
 }
 

@@ -27,7 +27,12 @@ const manyFaces = 10_000_000;
 
 export const rows = {
   parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces)), 'number of parts'),
-  solver: row('NAME', 'tree', choice(['tree'], ['genetic']), 'tree'),
+  solver: row(
+    'NAME',
+    defaultOptions.solver,
+    choice(['tree', 'genetic']),
+    'tree: local search on spanning trees; genetic: evolution, as published',
+  ),
   heuristic: row(
     'NAME',
     defaultOptions.heuristic,
@@ -63,6 +68,12 @@ export const rows = {
     'auto, portrait or landscape',
   ),
   margin: row('MM', defaultOptions.margin, decimal(0, 1000), 'margin that stays free'),
+  workers: row(
+    'N|auto',
+    'auto',
+    wordOr('auto', whole(1, 64)),
+    'threads; auto: one per core, at most 4; any number gives the same result',
+  ),
   'flat-fold': row('DEG', 3, decimal(0, 180), 'folds flatter than this are not drawn'),
 } satisfies Record<string, Row<unknown>>;
 
@@ -95,7 +106,6 @@ export const laterRows: Record<string, LaterRow> = {
   dpi: { value: 'N' },
   machine: { value: 'NAME', same: 'none' },
   assembly: {},
-  workers: { value: 'N', same: '1' },
 };
 
 /** The settings as a person would write them, by the names of the options. */

@@ -1,14 +1,18 @@
 import type { JobOptions, JobResult } from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { engineDied, JobError } from './job-error.js';
+import { JobRun } from './job-run.js';
+import type { Pool } from './pool.js';
 import type { TimedEvent } from './protocol.js';
-import type { Transport } from './transport.js';
 
 export interface RunOptions {
   /** Ends the job; the promise then rejects with the signal's reason. */
   signal?: AbortSignal;
-  /** Hears everything that the job tells, the last event included. */
+  /** Hears everything that the job tells, the last event included; batches come ten times a second
+   * at most. */
   onEvent?: (event: TimedEvent) => void;
+  /** Whether `generation` events show the net under search now and then. */
+  pictures?: boolean;
 }
 
 /** A result together with how long each stage took. */
@@ -16,81 +20,64 @@ export interface TimedResult extends JobResult {
   seconds: StageSeconds;
 }
 
-/** A worker that has not answered a cancel by then is in a long step, and replaced. */
-const patience = 150;
+/** A model file's bytes and what to do with them. */
+interface Order {
+  bytes: Uint8Array;
+  fileName: string;
+  options: JobOptions;
+}
 
 let lastJob = 0;
 
-function runNow(
-  transport: Transport,
-  bytes: Uint8Array,
-  fileName: string,
-  options: JobOptions,
-  { signal, onEvent }: RunOptions,
-): Promise<TimedResult> {
-  const job = ++lastJob;
+function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedResult> {
+  const { signal, onEvent, pictures = false } = runOptions;
   return new Promise((resolve, reject) => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    const settle = (): void => {
-      clearTimeout(timer);
-      signal?.removeEventListener('abort', cancel);
+    const settle = (last: () => void): void => {
+      run.end(() => {
+        signal?.removeEventListener('abort', cancel);
+        last();
+      });
     };
-    const fail = (reason: Error): void => {
-      settle();
-      reject(reason);
-    };
-    const aborted = (): Error => signal?.reason as Error;
-    const hear = (event: TimedEvent): void => {
-      const isLast = event.type === 'done' || event.type === 'error';
-      if (signal?.aborted) {
-        // The job ended before the cancel arrived, which is then never answered.
-        if (isLast) fail(aborted());
-        return;
-      }
-      onEvent?.(event);
-      if (event.type === 'error') fail(new JobError(event.code, event.text));
-      if (event.type !== 'done') return;
-      settle();
-      resolve({ ...event.result, seconds: event.seconds });
-    };
-    const port = transport.open({
-      onAnswer(answer) {
-        if (answer.job !== job) return;
-        if (answer.type === 'cancelled') fail(aborted());
-        else hear(answer.event);
+    const fail = (error: Error): void => settle(() => reject(error));
+    const cancel = (): void => fail(signal?.reason as Error);
+    const run = new JobRun(
+      pool,
+      { ...order, job: ++lastJob, pictures },
+      {
+        onEvent(event) {
+          onEvent?.(event);
+          if (event.type === 'error') fail(new JobError(event.code, event.text));
+          if (event.type !== 'done') return;
+          const result = { ...event.result, seconds: event.seconds };
+          settle(() => resolve(result));
+        },
+        onDeath(reason) {
+          fail(new JobError(engineDied, `The engine stopped unexpectedly: ${reason}`));
+        },
       },
-      onDeath(reason) {
-        fail(new JobError(engineDied, `The engine stopped unexpectedly: ${reason}`));
-      },
-    });
-    function cancel(): void {
-      port.post({ type: 'cancel', job });
-      timer = setTimeout(() => {
-        transport.close();
-        fail(aborted());
-      }, patience);
-    }
+    );
     signal?.addEventListener('abort', cancel);
-    port.post({ type: 'run', job, bytes, fileName, options });
   });
 }
 
 /**
- * Runs one job to its end in the transport's worker, after the jobs that were given to it before.
- * The ending of `fileName` tells the format; `bytes` are copied.
+ * Runs one job to its end with the pool's workers, after the jobs that were given to it before. The
+ * ending of `fileName` tells the format; `bytes` are copied. The result does not depend on the
+ * number of workers, nor on whether some died.
  *
- * Rejects with a `JobError` when the job or its worker fails, and with the signal's reason within
- * 150 ms of an abort. Neither leaves the transport unusable.
+ * Rejects with a `JobError` when the job or its conducting worker fails, or a task that several
+ * workers died over, and with the signal's reason within 100 ms of an abort. None of that leaves
+ * the pool unusable.
  */
 export function runJob(
-  transport: Transport,
+  pool: Pool,
   bytes: Uint8Array,
   fileName: string,
   options: JobOptions,
   runOptions: RunOptions = {},
 ): Promise<TimedResult> {
-  return transport.inTurn(async () => {
+  return pool.inTurn(async () => {
     runOptions.signal?.throwIfAborted();
-    return runNow(transport, bytes, fileName, options, runOptions);
+    return runNow(pool, { bytes, fileName, options }, runOptions);
   });
 }

@@ -1,55 +1,41 @@
-import type { JobEvent } from '../model/job.js';
-import { EventThrottle } from './event-throttle.js';
-import type { Job, MainModule } from './generated/foldwright.mjs';
-import type { Answer, Request, RunRequest, TimedEvent } from './protocol.js';
-import { StageClock } from './stage-clock.js';
-import { nextBudget } from './step-budget.js';
-import { buffersOf } from './transfer.js';
+import { Conductor } from './conductor.js';
+import type { Engine, WorkerHost } from './engine.js';
+import { Helper } from './helper.js';
+import type { EndRequest, Request, RunRequest, TaskRequest } from './protocol.js';
 
-/** What the worker needs of the engine's module. Its jobs never throw: failures come as events. */
-export type Engine = Pick<MainModule, 'createJob'>;
+/** This worker's part in a job; it has one at a time. */
+class EngineWorker {
+  private conductor: Conductor | null = null;
+  private helper: Helper | null = null;
 
-/** What a worker differs in between browsers and node. */
-export interface WorkerHost {
-  loadEngine(): Promise<Engine>;
-  post(answer: Answer, transfer: ArrayBuffer[]): void;
-  /** Resolves after the messages that are waiting have been delivered. */
-  pause(): Promise<void>;
-}
+  constructor(
+    private readonly engine: Engine,
+    private readonly host: WorkerHost,
+  ) {}
 
-const isLast = ({ type }: JobEvent): boolean => type === 'done' || type === 'error';
+  /** Resolves when all that the request asks for is done; rejects if the engine fails. */
+  async handle(request: Request): Promise<void> {
+    if (request.type === 'run') await this.conduct(request);
+    else if (request.type === 'task') await this.help(request);
+    else if (request.type === 'end') await this.end(request);
+    else if (this.conductor?.number === request.job) this.conductor.take(request);
+  }
 
-/** Adds the time to an event. */
-function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
-  if (event.type === 'stage') return { ...event, seconds: clock.elapsed(now) };
-  return event.type === 'done' ? { ...event, seconds: clock.seconds() } : event;
-}
+  private async conduct(request: RunRequest): Promise<void> {
+    this.conductor = new Conductor(this.engine, this.host, request);
+    await this.conductor.run();
+  }
 
-/** Steps one job to its end; true unless `isCancelled` ended it before. */
-async function runToEnd(
-  job: Job,
-  host: WorkerHost,
-  isCancelled: () => boolean,
-  send: (event: TimedEvent) => void,
-): Promise<boolean> {
-  const throttle = new EventThrottle(send);
-  const clock = new StageClock(performance.now());
-  let budget = 1000;
-  for (;;) {
-    const before = performance.now();
-    const events = job.step(budget);
-    const now = performance.now();
-    budget = nextBudget(budget, now - before);
-    // A step works for one stage and names it, but for the step that finishes a stage.
-    clock.spend(now, events.find((event) => event.type === 'stage')?.stage);
-    for (const event of events) {
-      if (isLast(event)) throttle.flush();
-      throttle.push(timed(event, clock, now));
-      if (isLast(event)) return true;
+  private async help({ job, order }: TaskRequest): Promise<void> {
+    if (this.helper?.number !== job) this.helper = new Helper(this.engine, this.host, job);
+    await this.helper.run(order);
+  }
+
+  private async end({ job }: EndRequest): Promise<void> {
+    for (const part of [this.conductor, this.helper]) {
+      if (part?.number === job) await part.end();
     }
-    throttle.release(now);
-    await host.pause();
-    if (isCancelled()) return false;
+    this.host.post({ type: 'ended', job }, []);
   }
 }
 
@@ -59,32 +45,14 @@ async function runToEnd(
  * error, which is how the other side learns of it.
  */
 export function serveEngine(host: WorkerHost): (request: Request) => void {
-  const engine = host.loadEngine();
-  const running = new Set<number>();
-
-  async function run({ job, bytes, fileName, options }: RunRequest): Promise<void> {
-    const send = (event: TimedEvent): void => {
-      host.post({ type: 'event', job, event }, buffersOf(event));
-    };
-    running.add(job);
-    // The declarations allow for no job because it crosses the boundary as a pointer.
-    const engineJob = (await engine).createJob(bytes, fileName, options)!;
-    const finished = await runToEnd(engineJob, host, () => !running.has(job), send);
-    engineJob.delete();
-    if (!finished) host.post({ type: 'cancelled', job }, []);
-    running.delete(job);
-  }
-
-  return (request) => {
-    if (request.type === 'cancel') {
-      running.delete(request.job);
-      return;
-    }
-    run(request).catch((error: unknown) => {
-      // A rejected promise alone does not reach the owner of a browser's worker.
-      queueMicrotask(() => {
-        throw error;
-      });
+  const worker = host.loadEngine().then((engine) => new EngineWorker(engine, host));
+  const fail = (error: unknown): void => {
+    // A rejected promise alone does not reach the owner of a browser's worker.
+    queueMicrotask(() => {
+      throw error;
     });
+  };
+  return (request) => {
+    worker.then((ready) => ready.handle(request)).catch(fail);
   };
 }

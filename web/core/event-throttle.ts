@@ -1,58 +1,60 @@
 import type { Stage } from '../model/job.js';
 import type { TimedEvent } from './protocol.js';
 
-/** Progress events in any second. */
+/** Batches in any second. */
 const mostPerSecond = 10;
 
 /** Between two of them, in ms; leaves room in each second for two stages that begin. */
 const interval = 125;
 
-/** Kinds of which the latest tells all that earlier ones told. */
-function isProgress({ type }: TimedEvent): boolean {
-  return type === 'stage' || type === 'learned' || type === 'generation';
+/** Events of which a later one of the same kind tells all that this one does. */
+function isPassing(event: TimedEvent): boolean {
+  return event.type === 'stage' || (event.type === 'learned' && !event.matrix);
 }
 
 /**
- * Lets at most ten progress events a second through and holds back only the latest of each kind,
- * so that the last one always arrives. A stage that begins does not wait for its turn, because work
- * that cannot be interrupted may follow. All other events pass at once.
+ * Sends events in batches, at most ten a second. Drops only what a later event of the same batch
+ * tells as well: of `stage`, and of `learned` without a matrix, the last one remains. A stage that
+ * begins does not wait for its turn, because work that cannot be interrupted may follow.
  */
 export class EventThrottle {
-  private readonly held = new Map<TimedEvent['type'], TimedEvent>();
-  /** When the events of the last second were sent. */
+  private held: TimedEvent[] = [];
+  /** When the batches of the last second were sent. */
   private sent: number[] = [];
   private stage: Stage | null = null;
   private stageBegins = false;
 
-  constructor(private readonly send: (event: TimedEvent) => void) {}
+  constructor(private readonly send: (events: TimedEvent[]) => void) {}
 
   push(event: TimedEvent): void {
     if (event.type === 'stage' && event.stage !== this.stage) {
       this.stage = event.stage;
       this.stageBegins = true;
     }
-    if (isProgress(event)) this.held.set(event.type, event);
-    else this.send(event);
+    if (isPassing(event)) {
+      // There is at most one: the one before took away those before it.
+      const before = this.held.findIndex((e) => e.type === event.type && isPassing(e));
+      if (before >= 0) this.held.splice(before, 1);
+    }
+    this.held.push(event);
   }
 
-  /** Sends one of the events that are held back if it is time for it; `now` in ms. */
+  /** Sends what is held back if it is time for it; `now` in ms. */
   release(now: number): void {
     this.sent = this.sent.filter((time) => now - time < 1000);
     const last = this.sent.at(-1) ?? -Infinity;
     if (this.sent.length >= mostPerSecond) return;
     if (!this.stageBegins && now - last < interval) return;
-    const type = this.stageBegins ? 'stage' : this.held.keys().next().value;
-    const event = type && this.held.get(type);
-    if (!event) return;
-    this.held.delete(event.type);
+    if (this.held.length === 0) return;
     this.sent.push(now);
-    if (event.type === 'stage') this.stageBegins = false;
-    this.send(event);
+    this.flush();
   }
 
-  /** Sends whatever is held back, before the event that ends a job. */
+  /** Sends whatever is held back, at the end of a job. */
   flush(): void {
-    for (const event of this.held.values()) this.send(event);
-    this.held.clear();
+    const events = this.held;
+    this.held = [];
+    this.stageBegins = false;
+    if (events.length > 0) this.send(events);
   }
 }

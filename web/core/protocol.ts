@@ -1,14 +1,40 @@
 /**
- * What the main thread and an engine worker say to each other; types only. A worker runs the jobs
- * that it is given and ends each with exactly one last answer: `cancelled`, or an `event` of type
- * `done` or `error`. Jobs are numbered by whoever asks.
+ * What the main thread and its workers say to each other; types only. One worker conducts a job:
+ * it runs what cannot be split and cuts the rest into tasks. It and the helpers, which are the
+ * other workers, run the tasks. Workers do not know each other: the main thread passes on what they
+ * say, and moves the bytes without looking at them. Jobs and workers are numbered by the main
+ * thread, tasks and surfaces by the job.
  */
 import type { JobEvent, JobOptions } from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
+/** A task and all that is needed to run it, anywhere, to the same result. */
+export interface TaskOrder {
+  task: number;
+  bytes: Uint8Array;
+  /** Names the surface that the task runs on. */
+  surface: number;
+  /** The surface itself, unless the worker has had it before. */
+  surfaceBytes: Uint8Array | null;
+  /** Milliseconds that pass at least between two reports of a worker, but for results. */
+  interval: number;
+  /** Whether reports show the net under search. */
+  pictures: boolean;
+}
+
+/** What a task tells. */
+export interface TaskReport {
+  task: number;
+  /** All that has happened since the task's last report. */
+  status: Uint8Array;
+  /** Null while the task is under way. */
+  result: Uint8Array | null;
+}
+
 /**
- * Starts a job; answered by `event`s. The bytes are copied, so that the asker can run the same file
- * again.
+ * To a worker without a job: conduct one. Answered by `events`, of which the last is `done` or
+ * `error`, and meanwhile by `help` and `task`. The bytes are copied, so that the asker can run the
+ * same file again.
  */
 export interface RunRequest {
   type: 'run';
@@ -17,19 +43,54 @@ export interface RunRequest {
   /** Its ending tells the format. */
   fileName: string;
   options: JobOptions;
+  /** The most helpers that there can be at a time. */
+  helpers: number;
+  pictures: boolean;
+}
+
+/** To the conductor: a helper stands by. Answered by a `task` for it once there is one. */
+export interface HelperRequest {
+  type: 'helper';
+  job: number;
+  helper: number;
+}
+
+/** To the conductor: a helper died. The task that it had, if any, goes to another one. */
+export interface LostRequest {
+  type: 'lost';
+  job: number;
+  helper: number;
+  /** For people. */
+  reason: string;
+}
+
+/** To the conductor: passes a helper's report on. With a result the helper stands by again.
+ * Transfers the report's bytes. */
+export interface ReportRequest {
+  type: 'report';
+  job: number;
+  helper: number;
+  report: TaskReport;
+}
+
+/** To a helper that stands by: run this. Answered by `report`s. Transfers the order's bytes. */
+export interface TaskRequest {
+  type: 'task';
+  job: number;
+  order: TaskOrder;
 }
 
 /**
- * Ends a job at the next pause of the engine; answered by `cancelled`, or not at all if the job has
- * ended already. Takes as long as the engine's longest step: an asker in a hurry replaces the
- * worker.
+ * To any worker: leave the job and free all of it. Answered by `ended` at the engine's next pause,
+ * which may be as far away as its longest step: an asker in a hurry replaces the worker.
  */
-export interface CancelRequest {
-  type: 'cancel';
+export interface EndRequest {
+  type: 'end';
   job: number;
 }
 
-export type Request = RunRequest | CancelRequest;
+export type Request =
+  RunRequest | HelperRequest | LostRequest | ReportRequest | TaskRequest | EndRequest;
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
 export type TimedEvent =
@@ -38,17 +99,40 @@ export type TimedEvent =
   | (Extract<JobEvent, { type: 'stage' }> & { seconds: number })
   | (Extract<JobEvent, { type: 'done' }> & { seconds: StageSeconds });
 
-/** Answers `run`, many times; transfers the buffers of all typed arrays in the event. */
-export interface EventAnswer {
-  type: 'event';
+/** Answers `run`, at most ten times a second; transfers the buffers of all typed arrays. */
+export interface EventsAnswer {
+  type: 'events';
   job: number;
-  event: TimedEvent;
+  /** In the order in which they happened. */
+  events: TimedEvent[];
 }
 
-/** Answers `cancel`; transfers nothing. No event of the job follows. */
-export interface CancelledAnswer {
-  type: 'cancelled';
+/** Answers `run` when tasks wait: how many helpers would have something to do. */
+export interface HelpAnswer {
+  type: 'help';
+  job: number;
+  wanted: number;
+}
+
+/** Answers `helper`, and later `report`: the next task of that helper. Transfers the surface. */
+export interface TaskAnswer {
+  type: 'task';
+  job: number;
+  helper: number;
+  order: TaskOrder;
+}
+
+/** Answers `task`, many times; the last one has the result. Transfers the report's bytes. */
+export interface ReportAnswer {
+  type: 'report';
+  job: number;
+  report: TaskReport;
+}
+
+/** Answers `end`; transfers nothing. Nothing of the job follows. */
+export interface EndedAnswer {
+  type: 'ended';
   job: number;
 }
 
-export type Answer = EventAnswer | CancelledAnswer;
+export type Answer = EventsAnswer | HelpAnswer | TaskAnswer | ReportAnswer | EndedAnswer;

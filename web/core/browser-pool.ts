@@ -1,0 +1,27 @@
+import { poolSize } from './pool-size.js';
+import { Pool } from './pool.js';
+import type { Answer } from './protocol.js';
+import type { Spawn } from './worker-port.js';
+
+const spawn: Spawn = (listener) => {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => listener.onAnswer(data));
+  worker.addEventListener('error', (event) => {
+    listener.onDeath(event.message || 'its script could not be loaded');
+  });
+  return {
+    post: (request, transfer) => worker.postMessage(request, transfer),
+    close: () => worker.terminate(),
+  };
+};
+
+function defaultSize(): number {
+  // Some browsers tell the memory, in GiB and at most 8.
+  const { hardwareConcurrency, deviceMemory } = navigator as Navigator & { deviceMemory?: number };
+  return poolSize(hardwareConcurrency, deviceMemory);
+}
+
+/** A pool of module workers of the browser; by default as many as suit the device. */
+export function browserPool(size = defaultSize()): Pool {
+  return new Pool(spawn, size);
+}

@@ -1,0 +1,186 @@
+import type { JobEvent } from '../model/job.js';
+import type { Engine, WorkerHost } from './engine.js';
+import { EventThrottle } from './event-throttle.js';
+import type { Job } from './generated/foldwright.mjs';
+import { engineDied } from './job-error.js';
+import type {
+  HelperRequest,
+  LostRequest,
+  ReportRequest,
+  RunRequest,
+  TaskOrder,
+  TaskReport,
+  TimedEvent,
+} from './protocol.js';
+import { StageClock } from './stage-clock.js';
+import { TaskBench } from './task-bench.js';
+import { TaskDesk, type OpenTask } from './task-desk.js';
+import { buffersOf } from './transfer.js';
+
+/** What reaches a conductor while its job runs. */
+export type ConductorRequest = HelperRequest | LostRequest | ReportRequest;
+
+/** Reports of all workers together, per second: what the eye can follow, and costs little. */
+const reportsPerSecond = 8;
+
+/** Helpers that may die over a task. More than one, because a system short of memory ends any. */
+const mostDeaths = 3;
+
+const isLast = ({ type }: JobEvent): boolean => type === 'done' || type === 'error';
+
+/** Adds the time to an event. */
+function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
+  if (event.type === 'stage') return { ...event, seconds: clock.elapsed(now) };
+  return event.type === 'done' ? { ...event, seconds: clock.seconds() } : event;
+}
+
+/** Runs one job: does the work that cannot be split, and its share of the tasks. */
+export class Conductor {
+  private readonly job: Job;
+  private readonly bench: TaskBench;
+  private readonly desk = new TaskDesk();
+  private readonly clock = new StageClock(performance.now());
+  private readonly throttle: EventThrottle;
+  private helpersAsked = 0;
+  private finished = false;
+  private ended = false;
+  private running: Promise<void> = Promise.resolve();
+  private wake: () => void = () => undefined;
+
+  constructor(
+    engine: Engine,
+    private readonly host: WorkerHost,
+    private readonly request: RunRequest,
+  ) {
+    const { bytes, fileName, options } = request;
+    // The declarations allow for no job because it crosses the boundary as a pointer.
+    this.job = engine.createJob(bytes, fileName, options)!;
+    this.bench = new TaskBench(engine);
+    this.throttle = new EventThrottle((events) => {
+      host.post({ type: 'events', job: this.number, events }, buffersOf(events));
+    });
+  }
+
+  /** Of the job. */
+  get number(): number {
+    return this.request.job;
+  }
+
+  /** Runs the job to its end and frees everything; rejects if the engine fails. */
+  run(): Promise<void> {
+    this.running = this.runNow();
+    return this.running;
+  }
+
+  /** Frees everything at the next pause. */
+  end(): Promise<void> {
+    this.ended = true;
+    this.wake();
+    return this.running;
+  }
+
+  /** Takes in what happens among the helpers. */
+  take(request: ConductorRequest): void {
+    if (this.finished || this.ended) return;
+    if (request.type === 'helper') this.desk.join(request.helper);
+    if (request.type === 'lost') this.lose(request);
+    if (request.type === 'report' && this.desk.isOut(request.helper, request.report.task)) {
+      if (request.report.result) this.desk.finish(request.helper);
+      this.hear(request.report);
+    }
+    this.wake();
+  }
+
+  private async runNow(): Promise<void> {
+    while (!this.finished && !this.ended) {
+      const idle = !this.work();
+      this.handOut();
+      if (this.finished) break;
+      this.throttle.release(performance.now());
+      await (idle ? this.message() : this.host.pause());
+    }
+    this.bench.close();
+    this.job.delete();
+  }
+
+  /** Does some milliseconds of work; false when everything waits for the helpers. */
+  private work(): boolean {
+    if (this.bench.busy) {
+      const report = this.bench.step();
+      if (report) this.hear(report);
+      // Tasks that take but a moment are done sooner than a worker is started.
+      else this.askForHelp();
+      return true;
+    }
+    const task = this.desk.takeOwn();
+    if (task) this.bench.begin(this.orderFor(task, !this.bench.has(task.surface)));
+    else if (this.desk.outCount + this.desk.waitingCount === 0) this.tell(this.job.advance());
+    else return false;
+    return true;
+  }
+
+  private hear({ task, status, result }: TaskReport): void {
+    this.tell(this.job.report(task, status));
+    if (result && !this.finished) this.tell(this.job.complete(task, result));
+  }
+
+  private lose({ helper, reason }: LostRequest): void {
+    const task = this.desk.leave(helper);
+    if (!task || task.deaths < mostDeaths) return;
+    const text = `The engine stopped unexpectedly ${mostDeaths} times at the same task: ${reason}`;
+    this.tell([{ type: 'error', code: engineDied, text }]);
+  }
+
+  /** Passes events on, and puts the tasks that have come up on the desk. */
+  private tell(events: JobEvent[]): void {
+    const now = performance.now();
+    // What happens belongs to one stage and names it, but for the step that finishes a stage.
+    this.clock.spend(now, events.find((event) => event.type === 'stage')?.stage);
+    for (const event of events) this.throttle.push(timed(event, this.clock, now));
+    if (events.some(isLast)) {
+      this.finished = true;
+      this.throttle.flush();
+      return;
+    }
+    for (let task = this.job.takeTask(); task; task = this.job.takeTask()) {
+      this.desk.add(task.id, task.surface, task.bytes);
+    }
+  }
+
+  private orderFor({ id, surface, bytes }: OpenTask, withSurface: boolean): TaskOrder {
+    const { helpers, pictures } = this.request;
+    return {
+      task: id,
+      bytes,
+      surface,
+      surfaceBytes: withSurface ? this.job.surface(surface) : null,
+      interval: (1000 * (1 + helpers)) / reportsPerSecond,
+      pictures,
+    };
+  }
+
+  /** Gives what waits to the helpers that stand by. */
+  private handOut(): void {
+    if (this.finished) return;
+    for (let next = this.desk.assign(); next; next = this.desk.assign()) {
+      const order = this.orderFor(next.task, next.needsSurface);
+      // The task's own bytes are copied: a helper that dies takes its copy along.
+      const transfer = buffersOf(order.surfaceBytes);
+      const { helper } = next;
+      this.host.post({ type: 'task', job: this.number, helper, order }, transfer);
+    }
+  }
+
+  private askForHelp(): void {
+    const wanted = Math.min(this.desk.waitingCount + this.desk.outCount, this.request.helpers);
+    if (wanted <= this.helpersAsked) return;
+    this.helpersAsked = wanted;
+    this.host.post({ type: 'help', job: this.number, wanted }, []);
+  }
+
+  private message(): Promise<void> {
+    return new Promise((resolve) => {
+      this.wake = resolve;
+    });
+  }
+}

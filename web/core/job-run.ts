@@ -1,0 +1,125 @@
+import type { Pool, PoolListener } from './pool.js';
+import type { Answer, EventsAnswer, RunRequest, TimedEvent } from './protocol.js';
+import { buffersOf } from './transfer.js';
+
+/** What a run tells whoever started it. */
+export interface RunListener {
+  onEvent(event: TimedEvent): void;
+  /** The conductor is gone, and the job with it; `reason` is for people. */
+  onDeath(reason: string): void;
+}
+
+/** A worker that has not answered by then is in a long step, and replaced. In ms. */
+const patience = 100;
+
+/**
+ * One job on its way through the workers of a pool, as the main thread sees it: passes messages on
+ * between the conductor and its helpers, and replaces helpers that die.
+ */
+export class JobRun implements PoolListener {
+  private readonly job: number;
+  private readonly conductor: number;
+  private readonly helpers = new Set<number>();
+  /** Workers that hold something of the job. */
+  private readonly engaged = new Set<number>();
+  private settle: (() => void) | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Starts the job; needs its turn in the pool. */
+  constructor(
+    private readonly pool: Pool,
+    request: Omit<RunRequest, 'type' | 'helpers'>,
+    private readonly listener: RunListener,
+  ) {
+    this.job = request.job;
+    pool.listen(this);
+    const [first, ...others] = pool.workers;
+    this.conductor = first ?? pool.start();
+    this.engaged.add(this.conductor);
+    pool.post(this.conductor, { ...request, type: 'run', helpers: pool.size - 1 });
+    for (const worker of others) this.enlist(worker);
+  }
+
+  /**
+   * Frees what all workers hold of the job and then calls `settle`, within the patience that there
+   * is: who does not answer by then is thrown away. Only the first call counts.
+   */
+  end(settle: () => void): void {
+    if (this.settle) return;
+    this.settle = settle;
+    for (const worker of this.engaged) this.pool.post(worker, { type: 'end', job: this.job });
+    this.timer = setTimeout(() => {
+      for (const worker of this.engaged) this.pool.discard(worker);
+      this.engaged.clear();
+      this.settleIfFree();
+    }, patience);
+    this.settleIfFree();
+  }
+
+  onAnswer(worker: number, answer: Answer): void {
+    if (answer.job !== this.job) return;
+    if (answer.type === 'ended') this.free(worker);
+    // What is still under way when the job ends is of no use any more.
+    if (!this.settle) this.passOn(worker, answer);
+  }
+
+  onDeath(worker: number, reason: string): void {
+    const wasEngaged = this.engaged.has(worker);
+    this.helpers.delete(worker);
+    this.free(worker);
+    if (this.settle) return;
+    if (worker === this.conductor) {
+      this.listener.onDeath(reason);
+      return;
+    }
+    this.pool.post(this.conductor, { type: 'lost', job: this.job, helper: worker, reason });
+    // One that died before it had anything to do would be followed by others like it, for ever.
+    if (wasEngaged) this.enlist(this.pool.start());
+  }
+
+  private passOn(worker: number, answer: Answer): void {
+    const { job } = this;
+    if (answer.type === 'events') this.tell(answer);
+    if (answer.type === 'help') {
+      while (this.helpers.size < answer.wanted) this.enlist(this.pool.start());
+    }
+    if (answer.type === 'task') {
+      const { helper, order } = answer;
+      if (this.helpers.has(helper)) this.engaged.add(helper);
+      this.pool.post(helper, { type: 'task', job, order }, buffersOf(order));
+    }
+    if (answer.type === 'report') {
+      const { report } = answer;
+      const transfer = buffersOf(report);
+      this.pool.post(this.conductor, { type: 'report', job, helper: worker, report }, transfer);
+    }
+  }
+
+  private tell({ events }: EventsAnswer): void {
+    for (const event of events) {
+      // Whoever hears an event may end the job.
+      if (this.settle) return;
+      // After the last event the conductor frees everything by itself.
+      if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
+      this.listener.onEvent(event);
+    }
+  }
+
+  private enlist(worker: number): void {
+    this.helpers.add(worker);
+    this.pool.post(this.conductor, { type: 'helper', job: this.job, helper: worker });
+  }
+
+  private free(worker: number): void {
+    this.engaged.delete(worker);
+    if (this.settle) this.settleIfFree();
+  }
+
+  private settleIfFree(): void {
+    if (this.engaged.size > 0) return;
+    clearTimeout(this.timer);
+    const { settle } = this;
+    this.settle = () => undefined;
+    settle?.();
+  }
+}

@@ -1,0 +1,64 @@
+import type { Engine } from './engine.js';
+import type { Surface, Task } from './generated/foldwright.mjs';
+import type { TaskOrder, TaskReport } from './protocol.js';
+import { nextBudget } from './step-budget.js';
+
+/** Runs the tasks of one job with one instance of the engine, one after the other, in steps. */
+export class TaskBench {
+  private readonly surfaces = new Map<number, Surface>();
+  private order: TaskOrder | null = null;
+  private task: Task | null = null;
+  private budget = 1000;
+  private lastReport = -Infinity;
+
+  constructor(private readonly engine: Engine) {}
+
+  /** Whether a task is under way. */
+  get busy(): boolean {
+    return this.task !== null;
+  }
+
+  /** Whether this surface has come with an earlier order. */
+  has(surface: number): boolean {
+    return this.surfaces.has(surface);
+  }
+
+  begin(order: TaskOrder): void {
+    const { surface, surfaceBytes, bytes } = order;
+    // The declarations allow for null because these cross the boundary as pointers.
+    if (surfaceBytes) this.surfaces.set(surface, this.engine.createSurface(surfaceBytes)!);
+    this.task = this.engine.createTask(this.surfaces.get(surface)!, bytes)!;
+    this.order = order;
+  }
+
+  /** Works on the task for some milliseconds; what it tells when it is time for that, or done. */
+  step(): TaskReport | null {
+    const { order, task } = this;
+    if (!order || !task) return null;
+    const before = performance.now();
+    const done = task.step(this.budget);
+    const now = performance.now();
+    this.budget = nextBudget(this.budget, now - before);
+    const due = now - this.lastReport >= order.interval;
+    if (!done && !due) return null;
+    if (due) this.lastReport = now;
+    // Tasks that take less than the interval must not make more pictures than long ones.
+    const status = task.status(order.pictures && due);
+    const result = done ? task.result() : null;
+    if (done) this.drop();
+    return { task: order.task, status, result };
+  }
+
+  /** Frees everything. */
+  close(): void {
+    this.drop();
+    for (const surface of this.surfaces.values()) surface.delete();
+    this.surfaces.clear();
+  }
+
+  private drop(): void {
+    this.task?.delete();
+    this.task = null;
+    this.order = null;
+  }
+}
