@@ -10,7 +10,7 @@ const few = 20;
 
 /** Starts a run that takes long enough to be watched. */
 async function beginLongRun(studio: StudioPage): Promise<void> {
-  await studio.page.fill('#parts', '1');
+  await studio.page.fill('#parts', '2');
   await studio.page.selectOption('#solver', 'genetic');
   await studio.chooseSample('Rabbit');
 }

@@ -18,6 +18,11 @@ export class MatrixPanel {
     this.picture.request();
   }
 
+  /** Says why there is nothing to see if the parts were chosen without learning. */
+  settle(): void {
+    if (!this.matrix) this.words.textContent = 'nothing had to be learned for these parts';
+  }
+
   show(matrix: MatrixPicture): void {
     this.matrix = matrix;
     this.words.textContent = matrix.blocks

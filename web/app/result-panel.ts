@@ -31,6 +31,9 @@ export class ResultPanel {
   private readonly facts = find('#facts', HTMLElement);
   private readonly remarks = find('#remarks', HTMLElement);
 
+  /** Counts results, so that a later one is not replaced by one that took longer to draw. */
+  private turns = 0;
+
   constructor(
     private readonly downloads: DownloadBar,
     private readonly sheets: SheetList,
@@ -56,9 +59,15 @@ export class ResultPanel {
     this.panel.focus({ preventScroll: true });
   }
 
-  /** Replaces the result on the page; returns its one-sentence summary. */
-  async show({ fileName, wishes, result }: FinishedRun): Promise<string> {
-    await this.sheets.show(result);
+  /**
+   * Replaces the result on the page; returns its one-sentence summary, or null if a later result
+   * was quicker to draw.
+   */
+  async show({ fileName, wishes, result }: FinishedRun): Promise<string | null> {
+    const turn = ++this.turns;
+    const sheets = await this.sheets.draw(result);
+    if (turn !== this.turns) return null;
+    this.sheets.show(sheets);
     const name = stem(fileName);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;

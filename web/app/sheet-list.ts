@@ -4,6 +4,7 @@ import { partColour } from '../view/part-colours.js';
 import { partHatch } from '../view/part-hatches.js';
 import { sheetPicture } from '../view/sheet-picture.js';
 import { find, make } from './dom.js';
+import { nextFrame } from './next-frame.js';
 
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList {
@@ -16,11 +17,17 @@ export class SheetList {
     this.zoom.value = String(Math.min(this.zoom.valueAsNumber, window.innerWidth - 32));
   }
 
-  /** Draws all sheets with the exporter that also writes the files: screen and paper agree. */
-  async show(result: JobResult): Promise<void> {
+  /**
+   * Draws all sheets with the exporter that also writes the files: screen and paper agree. Lets the
+   * page answer in between, as large models take a while.
+   */
+  async draw(result: JobResult): Promise<HTMLLIElement[]> {
     const { writeSvg } = await import('../export/svg.js');
     const widest = Math.max(...result.sheets.map(({ width }) => width));
-    const items = result.sheets.map((sheet, index) => {
+    const items: HTMLLIElement[] = [];
+    for (const [index, sheet] of result.sheets.entries()) {
+      const source = writeSvg(result, index);
+      await nextFrame();
       const pieces = result.pieces.filter((piece) => piece.sheet === index);
       const paints = new Map(
         pieces.map(({ id, part }) => [
@@ -31,12 +38,18 @@ export class SheetList {
       const number = `Sheet ${index + 1} of ${result.sheets.length}`;
       const names = [...paints.keys()].join(', ');
       const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
-      const picture = sheetPicture(writeSvg(result, index), paints, caption);
+      const picture = sheetPicture(source, paints, caption);
       const figure = make('figure', {}, picture, make('figcaption', { textContent: caption }));
       figure.style.setProperty('--share', String(sheet.width / widest));
-      return make('li', { className: 'sheet' }, figure);
-    });
-    this.list.replaceChildren(...items);
+      items.push(make('li', { className: 'sheet' }, figure));
+      await nextFrame();
+    }
+    return items;
+  }
+
+  /** Puts sheets that were drawn in the place of those before. */
+  show(sheets: HTMLLIElement[]): void {
+    this.list.replaceChildren(...sheets);
     this.resize();
   }
 

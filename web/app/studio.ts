@@ -92,7 +92,7 @@ export class Studio {
     if (outcome.type === 'done') {
       const lead = await this.result.show({ fileName: name, wishes, result: outcome.result });
       // Drawing loads the exporter: a run may have begun meanwhile, and the card is its own.
-      if (this.runner.running) return;
+      if (lead === null || this.runner.running) return;
       this.workshop.finish(outcome.result);
       this.progress.end(`Done: ${lead}`);
       this.form.action = 'Unfold again';

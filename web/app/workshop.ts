@@ -53,6 +53,7 @@ export class Workshop {
       case 'segmented':
         this.model.paint(event.labels);
         this.net.paint(event.labels);
+        this.matrix.settle();
         break;
       case 'generation':
         this.net.follow(event);

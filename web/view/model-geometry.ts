@@ -39,17 +39,35 @@ function fitVertices(vertices: Numbers): Float32Array {
   for (let i = 0; i < fitted.length; i += 3) {
     radius = Math.max(radius, Math.hypot(fitted[i]!, fitted[i + 1]!, fitted[i + 2]!));
   }
-  return fitted.map((value) => value / (radius || 1));
+  fitted.forEach((value, i) => {
+    fitted[i] = value / (radius || 1);
+  });
+  return fitted;
 }
 
-/** Unit normal of the triangle whose corners start at `at`; zero if it has no area. */
-function faceNormal(p: Float32Array, at: number): [number, number, number] {
-  const edge = (corner: number, axis: number): number => p[at + 3 * corner + axis]! - p[at + axis]!;
-  const [ax, ay, az] = [edge(1, 0), edge(1, 1), edge(1, 2)];
-  const [bx, by, bz] = [edge(2, 0), edge(2, 1), edge(2, 2)];
+/** Writes the unit normal of the triangle whose corners start at `at`, for each of its corners. */
+function writeNormal(normals: Float32Array, p: Float32Array, at: number): void {
+  const ax = p[at + 3]! - p[at]!;
+  const ay = p[at + 4]! - p[at + 1]!;
+  const az = p[at + 5]! - p[at + 2]!;
+  const bx = p[at + 6]! - p[at]!;
+  const by = p[at + 7]! - p[at + 1]!;
+  const bz = p[at + 8]! - p[at + 2]!;
   const [x, y, z] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
-  const length = Math.hypot(x, y, z) || 1;
-  return [x / length, y / length, z / length];
+  // A triangle without area has no normal; any will do.
+  const length = Math.sqrt(x * x + y * y + z * z) || 1;
+  for (let i = at; i < at + 9; i += 3) {
+    normals[i] = x / length;
+    normals[i + 1] = y / length;
+    normals[i + 2] = z / length;
+  }
+}
+
+/** The axis along which a normal points most: 0, 1 or 2. */
+function mainAxis(normals: Float32Array, at: number): number {
+  const [x, y, z] = [normals[at]!, normals[at + 1]!, normals[at + 2]!].map(Math.abs);
+  if (x! >= y! && x! >= z!) return 0;
+  return y! >= z! ? 1 : 2;
 }
 
 /**
@@ -64,14 +82,12 @@ export function flatMesh(vertices: Numbers, faces: Int32Array): FlatMesh {
   const normals = new Float32Array(3 * faces.length);
   const uvs = new Float32Array(2 * faces.length);
   faces.forEach((vertex, corner) => {
-    positions.set(fitted.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
+    for (let axis = 0; axis < 3; ++axis) positions[3 * corner + axis] = fitted[3 * vertex + axis]!;
   });
   for (let corner = 0; corner < faces.length; ++corner) {
-    const normal = faceNormal(positions, 9 * Math.floor(corner / 3));
-    normals.set(normal, 3 * corner);
+    if (corner % 3 === 0) writeNormal(normals, positions, 3 * corner);
     // Seen along the axis that the face faces most, a hatch is stretched least.
-    const sizes = normal.map(Math.abs);
-    const away = sizes.indexOf(Math.max(...sizes));
+    const away = mainAxis(normals, 3 * corner);
     uvs[2 * corner] = positions[3 * corner + ((away + 1) % 3)]! * tilesPerRadius;
     uvs[2 * corner + 1] = positions[3 * corner + ((away + 2) % 3)]! * tilesPerRadius;
   }

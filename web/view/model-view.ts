@@ -40,6 +40,7 @@ export class ModelView {
   );
   private readonly orbit: Orbit;
   private readonly redraw = new Redraw(() => this.draw());
+  private faces: Int32Array = new Int32Array();
   private edges: PartBorders | null = null;
   private turning = false;
   private lastTurn = 0;
@@ -58,6 +59,8 @@ export class ModelView {
     this.scene.add(this.mesh, this.borders);
     const request = (): void => this.redraw.request();
     this.orbit = new Orbit(this.camera, canvas, request, () => this.rest());
+    // Now, so that the first model does not have to wait for it.
+    this.renderer.compile(this.scene, this.camera);
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('webglcontextrestored', request);
   }
@@ -72,8 +75,10 @@ export class ModelView {
     addPaint(geometry, faces.length / 3);
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
-    this.edges = new PartBorders(faces);
-    this.setLabels(new Int32Array(faces.length / 3).fill(-1));
+    this.faces = faces;
+    this.edges = null;
+    paintFaces(geometry, new Int32Array(faces.length / 3).fill(-1));
+    this.drawBorders(new Float32Array());
     this.orbit.reset(extentOf(positions, viewHeight));
   }
 
@@ -83,7 +88,12 @@ export class ModelView {
     const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
     if (!positions || positions.count !== 3 * labels.length) return;
     paintFaces(geometry, labels);
-    const lines = this.edges!.lines(labels, positions.array as Float32Array);
+    // Found when first needed, and not in the same breath as the triangles.
+    this.edges ??= new PartBorders(this.faces);
+    this.drawBorders(this.edges.lines(labels, positions.array as Float32Array));
+  }
+
+  private drawBorders(lines: Float32Array): void {
     this.borders.geometry.dispose();
     this.borders.geometry = new BufferGeometry();
     this.borders.geometry.setAttribute('position', new BufferAttribute(lines, 3));

@@ -49,13 +49,13 @@ function facePaths(
     const part = partOf(source);
     let path = net.overlapping[face] ? overlapping : parts.get(part);
     if (!path) parts.set(part, (path = new Path2D()));
-    for (let corner = 0; corner < 3; ++corner) {
-      const i = 6 * face + 2 * corner;
-      const [right, down] = [x + scale * net.corners[i]!, y - scale * net.corners[i + 1]!];
-      if (corner === 0) path.moveTo(right, down);
-      else path.lineTo(right, down);
-    }
-    path.closePath();
+    const right = (corner: number): number => x + scale * net.corners[6 * face + 2 * corner]!;
+    const down = (corner: number): number => y - scale * net.corners[6 * face + 2 * corner + 1]!;
+    path.moveTo(right(0), down(0));
+    path.lineTo(right(1), down(1));
+    path.lineTo(right(2), down(2));
+    // Closing it would take browsers the longer the more there is in the path.
+    path.lineTo(right(0), down(0));
   });
   return { parts, overlapping };
 }

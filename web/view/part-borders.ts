@@ -1,13 +1,7 @@
-/** An edge between two faces: which, and the corner of the first face at which it starts. */
-interface SharedEdge {
-  corner: number;
-  first: number;
-  second: number;
-}
-
 /** Finds the edges between faces once, and the borders between parts for any labels of the faces. */
 export class PartBorders {
-  private readonly edges: SharedEdge[] = [];
+  /** 2 per edge: a corner of each of its faces, at which it starts or ends. */
+  private readonly edges: number[] = [];
 
   /** @param faces 3 vertices per face */
   constructor(faces: Int32Array) {
@@ -22,7 +16,7 @@ export class PartBorders {
         corners.set(key, corner);
         return;
       }
-      this.edges.push({ corner, first: Math.floor(corner / 3), second: Math.floor(other / 3) });
+      this.edges.push(corner, other);
     });
   }
 
@@ -32,13 +26,16 @@ export class PartBorders {
    * @param positions 3 per corner of a face
    */
   lines(labels: Int32Array, positions: Float32Array): Float32Array {
-    const borders = this.edges.filter(({ first, second }) => labels[first] !== labels[second]);
-    const lines = new Float32Array(6 * borders.length);
-    borders.forEach(({ corner, first }, index) => {
-      const next = 3 * first + ((corner + 1) % 3);
-      lines.set(positions.subarray(3 * corner, 3 * corner + 3), 6 * index);
-      lines.set(positions.subarray(3 * next, 3 * next + 3), 6 * index + 3);
-    });
-    return lines;
+    const part = (corner: number): number => labels[Math.floor(corner / 3)]!;
+    const lines: number[] = [];
+    for (let edge = 0; edge < this.edges.length; edge += 2) {
+      const corner = this.edges[edge]!;
+      if (part(corner) === part(this.edges[edge + 1]!)) continue;
+      const next = corner - (corner % 3) + ((corner + 1) % 3);
+      for (const end of [corner, next]) {
+        lines.push(positions[3 * end]!, positions[3 * end + 1]!, positions[3 * end + 2]!);
+      }
+    }
+    return new Float32Array(lines);
   }
 }
