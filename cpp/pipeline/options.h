@@ -23,7 +23,7 @@ struct JobOptions {
   int proxy = 1000;
   std::uint32_t seed = 1;
   int faces = 0;  ///< simplify to this many triangles first; 0: keep all
-  SheetOptions sheet;
+  SheetOptions sheet = {};
 };
 
 /// \throw InputError that names the first option out of its range
