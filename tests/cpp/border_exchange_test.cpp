@@ -15,20 +15,6 @@ using State = BorderExchange::State;
 
 constexpr std::int64_t kToTheEnd = std::numeric_limits<std::int64_t>::max();
 
-/// A fan of 8 faces around a vertex, and an apron of up to 8 quads along its rim.
-Mesh saddle_with_apron(double turn, int quads) {
-  const Mesh fan = saddle(8, turn);
-  std::vector<Vec3> positions = fan.positions;
-  std::vector<std::array<int, 3>> faces = fan.faces;
-  const int outer = fan.vertex_count();
-  for (int i = 1; i <= quads + 1; ++i) positions.push_back(2 * fan.positions[i] + Vec3(0, 0, 1));
-  for (int i = 0; i < quads; ++i) {
-    faces.push_back({i + 2, i + 1, outer + i});
-    faces.push_back({i + 2, outer + i, outer + i + 1});
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
 /// The fan as part 0 and the apron as part 1.
 struct Apron {
   Mesh mesh;

@@ -207,6 +207,19 @@ Mesh saddle(int faces, double turn) {
   return make_mesh(std::move(positions), std::move(fan));
 }
 
+Mesh saddle_with_apron(double turn, int quads) {
+  const Mesh fan = saddle(8, turn);
+  std::vector<Vec3> positions = fan.positions;
+  std::vector<std::array<int, 3>> faces = fan.faces;
+  const int outer = fan.vertex_count();
+  for (int i = 1; i <= quads + 1; ++i) positions.push_back(2 * fan.positions[i] + Vec3(0, 0, 1));
+  for (int i = 0; i < quads; ++i) {
+    faces.push_back({i + 2, i + 1, outer + i});
+    faces.push_back({i + 2, outer + i, outer + i + 1});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
 Mesh dumbbell() {
   constexpr int kRings = 7;  // of one sphere, up to the neck
   std::vector<Vec2> profile;

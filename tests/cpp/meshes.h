@@ -41,6 +41,10 @@ Mesh accordion(const std::vector<double>& widths);
 /// more than a full turn no net of it exists. \pre faces is even, turn > 2 pi
 Mesh saddle(int faces, double turn);
 
+/// A saddle of 8 faces, and an apron of quads along its rim: the saddle's faces come first.
+/// \pre 1 <= quads <= 7, turn > 2 pi
+Mesh saddle_with_apron(double turn, int quads);
+
 /// Two unit spheres joined by a thin neck: closed, 336 triangles.
 Mesh dumbbell();
 

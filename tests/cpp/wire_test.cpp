@@ -2,84 +2,125 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "meshes.h"
 
-namespace foldwright {
+namespace foldwright::testing {
 namespace {
 
-std::vector<int> all_panels(const Surface& surface) {
-  std::vector<int> panels;
-  for (int panel = 0; panel < surface.graph.panel_count(); ++panel) panels.push_back(panel);
-  return panels;
+TaskResult run(Task task) {
+  TaskRunner runner(std::move(task));
+  while (!runner.step(std::numeric_limits<std::int64_t>::max())) continue;
+  return runner.result();
 }
 
-/// Runs a task here, and again after it has travelled as bytes; both results as bytes.
-std::pair<Bytes, Bytes> run_both(const Task& task) {
-  const auto run = [](Task copy) {
-    TaskRunner runner(std::move(copy));
-    while (!runner.step(1000)) continue;
-    return encode(runner.result());
-  };
-  const auto surface = decode_surface(encode(*task.surface));
-  return {run(task), run(decode_task(encode(task), surface))};
+/// Every kind of work, with all options other than by default.
+std::vector<Work> all_kinds_of_work() {
+  const LearnOptions learn = {Heuristic::kHybrid, DirectionSet::kEdges, 9, 77};
+  const TreeSearchOptions search = {
+      .starts = 3, .temperature = 0.7, .patience = 60, .good_enough = 1, .seed = 5};
+  const GeneticOptions genetic = {.population = 12,
+                                  .offspring = 4,
+                                  .generations = 6,
+                                  .tournament = 3,
+                                  .crossover = 0.3,
+                                  .mutation = 0.1,
+                                  .step = 0.2,
+                                  .overlap_cost = 2,
+                                  .hyperbolic_cost = 3,
+                                  .seed = 8};
+  const PartsSoFar parts = {{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, {2, 3, 5, 6}, {{0, 1}}};
+  const ExchangeOptions exchange = {.part = 0, .most_steps = 40, .temperature = 0.9, .seed = 6};
+  return {LearnTask{learn, 2, 7}, SearchTask{search}, GeneticTask{genetic},
+          ExchangeTask{parts, exchange}};
 }
 
-TEST(Wire, CarriesSurfaces) {
-  const auto surface = make_surface(3, testing::torus(7, 5));
+TEST(Wire, CarriesTasksThatGiveTheSameResult) {
+  const auto surface = make_surface(3, saddle_with_apron(7, 3));
   const auto copy = decode_surface(encode(*surface));
-  EXPECT_EQ(copy->key, 3);
-  EXPECT_EQ(copy->mesh.positions, surface->mesh.positions);
-  EXPECT_EQ(copy->mesh.faces, surface->mesh.faces);
-  EXPECT_EQ(copy->mesh.source_faces, surface->mesh.source_faces);
-  EXPECT_EQ(copy->graph.hinge_count(), surface->graph.hinge_count());
-}
-
-TEST(Wire, ATravelledTaskGivesTheSameResult) {
-  const auto surface = make_surface(0, testing::torus(9, 6));
-  const LearnOptions learning = {.heuristic = Heuristic::kHybrid, .runs = 20, .seed = 4};
-  const auto works =
-      std::vector<Work>{LearnTask{learning, 5, 20}, SearchTask{{.temperature = 1, .seed = 7}},
-                        GeneticTask{{.population = 40, .generations = 30, .seed = 8}}};
-  for (const Work& work : works) {
-    const auto [here, there] = run_both({1, surface, all_panels(*surface), work});
-    EXPECT_EQ(here, there) << "kind " << work.index();
+  for (const Work& work : all_kinds_of_work()) {
+    SCOPED_TRACE(work.index());
+    const Task task = {42, surface, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, work};
+    const Task carried = decode_task(encode(task), copy);
+    EXPECT_EQ(carried.id, 42);
+    EXPECT_EQ(carried.surface, copy);
+    EXPECT_EQ(carried.panels, task.panels);
+    EXPECT_EQ(carried.work.index(), work.index());
+    const Bytes result = encode(run(task));
+    EXPECT_EQ(encode(run(carried)), result);
+    EXPECT_EQ(encode(decode_result(result)), result);
   }
 }
 
-TEST(Wire, CarriesABorderExchange) {
-  const auto surface = make_surface(0, testing::torus(8, 6));
-  ExchangeTask work;
-  const int n = surface->graph.panel_count();
-  for (int panel = 0; panel < n; ++panel) work.parts.labels.push_back(2 * panel / n);
-  work.parts.fold_edges = {1, 5, 8};
-  work.parts.overlaps = {{1, 4}};
-  work.options = {.part = 0, .most_steps = 5, .most_moves = 1000, .seed = 6};
-  const auto [here, there] = run_both({2, surface, all_panels(*surface), work});
-  EXPECT_EQ(here, there);
+TEST(Wire, CarriesEveryOptionOfATask) {
+  // A field that is left out would come back with its default.
+  const auto surface = make_surface(0, saddle_with_apron(7, 3));
+  const auto carried = [&](int kind) {
+    return decode_task(encode(Task{0, surface, {0}, all_kinds_of_work()[kind]}), surface).work;
+  };
+  const LearnTask learn = std::get<LearnTask>(carried(0));
+  EXPECT_EQ(learn.options.heuristic, Heuristic::kHybrid);
+  EXPECT_EQ(learn.options.directions, DirectionSet::kEdges);
+  EXPECT_EQ(learn.options.runs, 9);
+  EXPECT_EQ(learn.options.seed, 77u);
+  EXPECT_EQ(learn.first_run, 2);
+  EXPECT_EQ(learn.last_run, 7);
+  const TreeSearchOptions search = std::get<SearchTask>(carried(1)).options;
+  EXPECT_EQ(search.starts, 3);
+  EXPECT_EQ(search.temperature, 0.7);
+  EXPECT_EQ(search.patience, 60);
+  EXPECT_EQ(search.good_enough, 1);
+  EXPECT_EQ(search.seed, 5u);
+  const GeneticOptions genetic = std::get<GeneticTask>(carried(2)).options;
+  EXPECT_EQ(genetic.population, 12);
+  EXPECT_EQ(genetic.offspring, 4);
+  EXPECT_EQ(genetic.generations, 6);
+  EXPECT_EQ(genetic.tournament, 3);
+  EXPECT_EQ(genetic.crossover, 0.3);
+  EXPECT_EQ(genetic.mutation, 0.1);
+  EXPECT_EQ(genetic.step, 0.2);
+  EXPECT_EQ(genetic.overlap_cost, 2);
+  EXPECT_EQ(genetic.hyperbolic_cost, 3);
+  EXPECT_EQ(genetic.seed, 8u);
+  const ExchangeTask exchange = std::get<ExchangeTask>(carried(3));
+  EXPECT_EQ(exchange.parts.labels.size(), 11u);
+  EXPECT_EQ(exchange.parts.fold_edges, (std::vector<int>{2, 3, 5, 6}));
+  EXPECT_EQ(exchange.parts.overlaps, (std::map<int, int>{{0, 1}}));
+  EXPECT_EQ(exchange.options.most_steps, 40);
+  EXPECT_EQ(exchange.options.temperature, 0.9);
+  EXPECT_EQ(exchange.options.seed, 6u);
 }
 
-TEST(Wire, CarriesStatusesAndResults) {
-  TaskStatus status;
-  status.progress = 0.25;
-  status.runs = 12;
-  status.generations = {{-13, 3, 1}, {-2, 2, 0}};
-  status.net = NetPicture{{0, 1, 2, 3, 4, 5}, {7}, {1}};
+TEST(Wire, CarriesSurfaces) {
+  const auto surface = make_surface(3, star());
+  const auto copy = decode_surface(encode(*surface));
+  EXPECT_EQ(copy->key, 3);
+  EXPECT_EQ(copy->mesh.faces, surface->mesh.faces);
+  EXPECT_EQ(copy->mesh.source_faces, surface->mesh.source_faces);
+  ASSERT_EQ(copy->mesh.positions.size(), surface->mesh.positions.size());
+  for (std::size_t i = 0; i < copy->mesh.positions.size(); ++i) {
+    EXPECT_EQ(copy->mesh.positions[i], surface->mesh.positions[i]);
+  }
+  EXPECT_EQ(copy->graph.hinge_count(), surface->graph.hinge_count());
+}
+
+TEST(Wire, CarriesStatus) {
+  const TaskStatus status = {
+      0.25, 17, {{-3, 3, 0}, {-12, 2, 1}}, NetPicture{{1, 2, 3, 4, 5, 6}, {9}, {1}}};
   const TaskStatus copy = decode_status(encode(status));
   EXPECT_EQ(copy.progress, 0.25);
-  EXPECT_EQ(copy.runs, 12);
+  EXPECT_EQ(copy.runs, 17);
   ASSERT_EQ(copy.generations.size(), 2u);
-  EXPECT_EQ(copy.generations[0].hyperbolic, 1);
-  ASSERT_TRUE(copy.net.has_value());
+  EXPECT_EQ(copy.generations[1].best, -12);
+  EXPECT_EQ(copy.generations[1].overlaps, 2);
+  EXPECT_EQ(copy.generations[1].hyperbolic, 1);
+  ASSERT_TRUE(copy.net);
   EXPECT_EQ(copy.net->corners, status.net->corners);
-
-  const TaskResult result = ExchangeResult{true, {0, 1, 1}, {{1, {4, 5}}}, {{0, 2}}, 99};
-  const auto exchange = std::get<ExchangeResult>(decode_result(encode(result)));
-  EXPECT_TRUE(exchange.found);
-  EXPECT_EQ(exchange.labels, (std::vector<int>{0, 1, 1}));
-  EXPECT_EQ(exchange.changed.at(1), (FoldTree{4, 5}));
-  EXPECT_EQ(exchange.overlaps.at(0), 2);
-  EXPECT_EQ(exchange.moves, 99);
+  EXPECT_EQ(copy.net->sources, status.net->sources);
+  EXPECT_EQ(copy.net->overlapping, status.net->overlapping);
+  EXPECT_FALSE(decode_status(encode(TaskStatus{})).net);
 }
 
 }  // namespace
-}  // namespace foldwright
+}  // namespace foldwright::testing

@@ -1,0 +1,61 @@
+#include "pipeline/options.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "mesh/input_error.h"
+
+namespace foldwright::testing {
+namespace {
+
+/// The sentence with which options are refused; empty when they are not.
+std::string refusal(const JobOptions& options) {
+  try {
+    check_options(options);
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.code(), "bad-option");
+    return error.what();
+  }
+  return "";
+}
+
+JobOptions with_sheet(const SheetOptions& sheet) {
+  JobOptions options;
+  options.sheet = sheet;
+  return options;
+}
+
+TEST(CheckOptions, TakesTheDefaultsAndTheEndsOfAllRanges) {
+  EXPECT_EQ(refusal({}), "");
+  EXPECT_EQ(refusal({.parts = 1, .runs = 1, .proxy = 0, .faces = 4}), "");
+  EXPECT_EQ(refusal({.parts = 1000000, .runs = 65535, .faces = 1000000}), "");
+  EXPECT_EQ(refusal(with_sheet({.width = 1, .height = 10000, .margin = 0})), "");
+}
+
+TEST(CheckOptions, NamesABadOption) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<JobOptions, const char*> cases[] = {
+      {{.parts = -1}, "parts"},
+      {{.runs = 0}, "runs"},
+      {{.runs = 65536}, "runs"},
+      {{.proxy = -1}, "proxy"},
+      {{.faces = 3}, "faces"},
+      {{.faces = -5}, "faces"},
+      {with_sheet({.width = 0}), "paper"},
+      {with_sheet({.width = -210}), "paper"},
+      {with_sheet({.height = infinity}), "paper"},
+      {with_sheet({.height = 10001}), "paper"},
+      {with_sheet({.height = nan}), "paper"},
+      {with_sheet({.margin = -1}), "margin"},
+      {with_sheet({.margin = 105}), "margin"},
+      {with_sheet({.margin = nan}), "margin"},
+  };
+  for (const auto& [options, name] : cases) {
+    EXPECT_EQ(refusal(options).find(name), 0u) << refusal(options);
+  }
+}
+
+}  // namespace
+}  // namespace foldwright::testing
