@@ -13,6 +13,9 @@ const overlapLine = '#7d0a12';
 const margin = 8;
 const tile = 10;
 
+/** Above so many faces, edges are drawn thinner. */
+const manyFaces = 600;
+
 interface Placing {
   scale: number;
   x: number;
@@ -77,7 +80,9 @@ export function drawNet(
   if (net.sources.length === 0) return;
   const { parts, overlapping } = facePaths(net, placeNet(net.corners, width, height), partOf);
   context.lineJoin = 'round';
-  context.lineWidth = 0.5;
+  // The more faces, the thinner their edges, or a large net would be all ink.
+  const thin = Math.min(1, Math.sqrt(manyFaces / net.sources.length));
+  context.lineWidth = 0.5 * thin;
   context.strokeStyle = foldLine;
   for (const [part, path] of parts) {
     const colour = partColour(part);
@@ -87,7 +92,7 @@ export function drawNet(
   }
   context.fillStyle = overlapFill;
   context.strokeStyle = overlapLine;
-  context.lineWidth = 1;
+  context.lineWidth = thin;
   context.fill(overlapping);
   context.stroke(overlapping);
 }
