@@ -1,0 +1,128 @@
+/** The workers of the page: any number gives the bits of the command line, whatever happens. */
+import { readFile, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { foldwright, inFolder } from '../web/command.js';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+import type { StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+const ring = objText(wavyRing(20));
+const parts = '4';
+
+async function reopen({ page }: StudioPage, workers: number): Promise<void> {
+  const address = new URL(page.url());
+  address.search = `workers=${workers}`;
+  await page.goto(address.href);
+  await page.locator('.sample').first().waitFor();
+}
+
+/** The hash of the command line's result for the ring. */
+function hashUnderNode(): Promise<string> {
+  return inFolder(async (folder) => {
+    const [model, report] = [join(folder, 'ring.obj'), join(folder, 'report.json')];
+    await writeFile(model, ring);
+    const { status } = await foldwright([model, '--parts', parts, '--report', report, '--quiet']);
+    expect(status).toBe(0);
+    const read = JSON.parse(await readFile(report, 'utf8')) as { result_hash: string };
+    return read.result_hash;
+  });
+}
+
+test('one, two and four workers give the result of the command line', () =>
+  withStudio(async (studio) => {
+    const expected = await hashUnderNode();
+    for (const workers of [1, 2, 4]) {
+      await reopen(studio, workers);
+      await studio.page.fill('#parts', parts);
+      await studio.choose('ring.obj', ring);
+      expect([workers, await studio.resultOf('ring')]).toEqual([workers, expected]);
+    }
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a helper that dies in the middle changes nothing', () =>
+  withStudio(async (studio) => {
+    const expected = await hashUnderNode();
+    const { page } = studio;
+    await reopen(studio, 2);
+    await page.fill('#parts', parts);
+    // The conductor comes first.
+    const helper = new Promise<void>((resolve, reject) => {
+      let count = 0;
+      page.on('worker', (worker) => {
+        if (++count !== 2) return;
+        worker
+          .evaluate(() => {
+            setTimeout(() => {
+              throw new Error('killed');
+            }, 100);
+          })
+          .then(resolve, reject);
+      });
+    });
+    await studio.choose('ring.obj', ring);
+    await helper;
+    expect(await studio.resultOf('ring')).toBe(expected);
+  }));
+
+/** Cancels a run as soon as the words of a stage appear; ms until the page has settled. */
+async function cancelLatency(studio: StudioPage, words: string): Promise<number> {
+  const latency = studio.page.evaluate((start) => {
+    const stage = document.querySelector('#progress-words')!;
+    const card = document.querySelector<HTMLElement>('#progress')!;
+    const all = { childList: true, characterData: true, subtree: true, attributes: true };
+    return new Promise<number>((resolve) => {
+      const began = new MutationObserver(() => {
+        if (!stage.textContent?.startsWith(start)) return;
+        began.disconnect();
+        const before = performance.now();
+        const ended = new MutationObserver(() => {
+          if (card.hidden) resolve(performance.now() - before);
+        });
+        ended.observe(card, all);
+        document.querySelector<HTMLElement>('#cancel')!.click();
+      });
+      began.observe(stage, all);
+    });
+  }, words);
+  await studio.choose('ring.obj', ring);
+  return latency;
+}
+
+test('a cancel is answered in every stage, and the next run works', () =>
+  withStudio(async (studio) => {
+    const latencies: string[] = [];
+    for (const stage of ['Reading', 'Learning', 'Choosing the parts', 'Laying', 'Placing']) {
+      const latency = await cancelLatency(studio, stage);
+      latencies.push(`${stage} ${latency.toFixed(0)} ms`);
+      await studio.chooseSample('Cube');
+      await studio.resultOf('cube');
+    }
+    console.log(`cancel: ${latencies.join(', ')}`);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('the page stays free while its workers are busy', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.evaluate(() => {
+      const lengths: number[] = [];
+      Object.assign(globalThis, { longTasks: lengths });
+      new PerformanceObserver((list) => {
+        for (const { duration } of list.getEntries()) lengths.push(duration);
+      }).observe({ type: 'longtask' });
+    });
+    await page.fill('#parts', parts);
+    await studio.choose('ring.obj', ring);
+    await page.locator('#progress').waitFor();
+    // Up to the result: drawing its sheets is another matter.
+    await page.locator('#progress-words', { hasText: /^Placing/ }).waitFor({ timeout: 60_000 });
+    const tasks = await page.evaluate(
+      () => (globalThis as unknown as { longTasks: number[] }).longTasks,
+    );
+    const longest = Math.max(0, ...tasks).toFixed(0);
+    console.log(`tasks over 50 ms in the page: ${tasks.length}, the longest ${longest} ms`);
+    await studio.resultOf('ring');
+  }));

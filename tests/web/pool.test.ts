@@ -1,0 +1,127 @@
+/** The real engine in real threads: the same bits however many there are, and whatever happens. */
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { runJob, type TimedResult } from '../../web/core/client.js';
+import type { Pool } from '../../web/core/pool.js';
+import type { TimedEvent } from '../../web/core/protocol.js';
+import { writeFold } from '../../web/export/fold.js';
+import { defaultOptions } from '../../web/model/default-options.js';
+import type { JobOptions, Solver, Stage } from '../../web/model/job.js';
+import { sharedFolder } from './command.js';
+import { objText, wavyRing } from './model-text.js';
+import { isEngineBuilt, withThreads, type Killing } from './thread-pool.js';
+
+type Hear = (event: TimedEvent) => void;
+
+const ring = (n: number): Uint8Array => new TextEncoder().encode(objText(wavyRing(n)));
+
+function unfold(
+  pool: Pool,
+  bytes: Uint8Array,
+  options: Partial<JobOptions> = {},
+  onEvent: Hear = () => undefined,
+): Promise<TimedResult> {
+  const all = { ...defaultOptions, parts: 8, ...options };
+  return runJob(pool, bytes, 'model.obj', all, { onEvent, pictures: true });
+}
+
+function unfoldWith(
+  workers: number,
+  bytes: Uint8Array,
+  options: Partial<JobOptions> = {},
+  killing?: Killing,
+): Promise<TimedResult> {
+  return withThreads(workers, (pool) => unfold(pool, bytes, options), killing);
+}
+
+const shared = sharedFolder();
+const models: [string, Uint8Array][] = [
+  ['a ring of 128 faces', ring(8)],
+  ['a ring of 288 faces', ring(12)],
+];
+if (shared) {
+  const cat = join(shared, 'models', 'organic', 'cat_300.obj');
+  models.push(['a cat of 300 faces', readFileSync(cat)]);
+}
+const solvers: Solver[] = ['tree', 'genetic'];
+const cases = models.flatMap(([name, bytes]) => solvers.map((solver) => ({ name, bytes, solver })));
+
+describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
+  it.each(cases)('gives one result for $name by $solver', async ({ bytes, solver }) => {
+    const one = await unfoldWith(1, bytes, { solver });
+    for (const workers of [2, 4]) {
+      const other = await unfoldWith(workers, bytes, { solver });
+      expect(other.hash).toBe(one.hash);
+      expect(other.search).toEqual(one.search);
+      expect(writeFold(other) === writeFold(one)).toBe(true);
+    }
+  });
+
+  it.each([1, 2])('gives the same result when %i of its workers die at a task', async (times) => {
+    const one = await unfoldWith(1, ring(20));
+    const other = await unfoldWith(2, ring(20), {}, { victim: 'helper', times });
+    expect(other.hash).toBe(one.hash);
+  });
+
+  it('fails when a task ends three workers', async () => {
+    const failed = unfoldWith(2, ring(30), {}, { victim: 'helper', times: 3 });
+    await expect(failed).rejects.toMatchObject({
+      code: 'engine-died',
+      message: expect.stringMatching(/^The engine stopped unexpectedly 3 times/) as string,
+    });
+  });
+
+  it('fails when the conductor dies, and works on', () =>
+    withThreads(
+      2,
+      async (pool) => {
+        await expect(unfold(pool, ring(20))).rejects.toMatchObject({
+          code: 'engine-died',
+          message: 'The engine stopped unexpectedly: its thread ended with status 1',
+        });
+        expect((await unfold(pool, ring(6))).parts).toBe(8);
+      },
+      { victim: 'conductor', times: 1 },
+    ));
+
+  it.each<Stage>(['read', 'learn', 'cluster', 'search', 'paper'])(
+    'ends a run that is cancelled in the stage %s, and works on',
+    (stage) =>
+      withThreads(2, async (pool) => {
+        const control = new AbortController();
+        const options = { ...defaultOptions, parts: 4 };
+        const run = runJob(pool, ring(20), 'model.obj', options, {
+          signal: control.signal,
+          onEvent: (event) => {
+            if (event.type === 'stage' && event.stage === stage) control.abort();
+          },
+        });
+        await expect(run).rejects.toMatchObject({ name: 'AbortError' });
+        expect((await unfold(pool, ring(6))).parts).toBe(8);
+      }),
+  );
+
+  it.each(solvers)('tells every generation of every part by %s', async (solver) => {
+    const last = new Map<number, number>();
+    let pictures = 0;
+    const hear: Hear = (event) => {
+      if (event.type !== 'generation') return;
+      expect(event.generation).toBe((last.get(event.part) ?? 0) + 1);
+      last.set(event.part, event.generation);
+      if (event.net) ++pictures;
+    };
+    await withThreads(2, (pool) => unfold(pool, ring(10), { solver, parts: 6 }, hear));
+    expect(last.size).toBeGreaterThan(0);
+    expect(pictures).toBeGreaterThan(0);
+  });
+
+  it('never tells of less progress than before', async () => {
+    const progress: number[] = [];
+    const hear: Hear = (event) => {
+      if (event.type === 'stage') progress.push(event.progress);
+    };
+    await withThreads(2, (pool) => unfold(pool, ring(20), {}, hear));
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+  });
+});
