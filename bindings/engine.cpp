@@ -46,6 +46,8 @@ class JobHandle {
 
   EventsValue advance() { return to_values(job_ ? job_->advance() : failed()); }
 
+  EventsValue cancel() { return to_values(job_ ? job_->cancel() : failed()); }
+
   /// The next waiting task as {id, surface, bytes}, or undefined. The surface is a key: see
   /// `surface`.
   TaskValue take_task() {
@@ -129,6 +131,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::class_<JobHandle>("Job")
       .function("step", &JobHandle::step)
       .function("advance", &JobHandle::advance)
+      .function("cancel", &JobHandle::cancel)
       .function("takeTask", &JobHandle::take_task)
       .function("surface", &JobHandle::surface)
       .function("report", &JobHandle::report)

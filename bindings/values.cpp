@@ -257,6 +257,11 @@ struct EventValue {
     object.set("result", result_value(*event.result));
     return object;
   }
+  val operator()(const CancelledEvent& event) const {
+    val object = typed("cancelled");
+    if (event.best) object.set("best", result_value(*event.best));
+    return object;
+  }
   val operator()(const ErrorEvent& event) const {
     val object = typed("error");
     object.set("code", event.code);

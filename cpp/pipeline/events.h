@@ -50,13 +50,18 @@ struct NetEvent {
 struct DoneEvent {
   std::shared_ptr<const JobResult> result;
 };
+/// The job was cancelled; `best` has the nets found so far, and is empty when there are none. Its
+/// faces without a net are in no piece.
+struct CancelledEvent {
+  std::shared_ptr<const JobResult> best;
+};
 struct ErrorEvent {
   std::string code, text;
 };
 
 /// What a job tells while it runs.
 using Event = std::variant<StageEvent, ModelEvent, LearnedEvent, SegmentedEvent, GenerationEvent,
-                           NetEvent, Notice, DoneEvent, ErrorEvent>;
+                           NetEvent, Notice, DoneEvent, CancelledEvent, ErrorEvent>;
 using Events = std::vector<Event>;
 
 }  // namespace foldwright

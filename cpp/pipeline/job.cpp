@@ -96,6 +96,22 @@ Events Job::complete(int task, TaskResult result) {
   });
 }
 
+Events Job::cancel() {
+  return guarded([&](Events& events) {
+    finished_ = true;
+    own_runner_.reset();
+    stages_[current_]->salvage(state_);
+    if (state_.nets.empty()) {
+      events.push_back(CancelledEvent{});
+      return;
+    }
+    // The last stage lays out whatever nets there are, unless it has done so already.
+    Events unheard;
+    if (state_.result.pieces.empty()) stages_.back()->begin(state_, queue_, unheard);
+    events.push_back(CancelledEvent{std::make_shared<const JobResult>(std::move(state_.result))});
+  });
+}
+
 void Job::do_own_step(Events& events) {
   Stage& stage = *stages_[current_];
   if (phase_ == Phase::kAnnounce) {

@@ -11,7 +11,8 @@ namespace foldwright {
 ///
 /// The same bytes, name and options give the same result, whoever runs the tasks, in whatever order
 /// and slices. None of the functions throws: bad input and exhausted memory become an `ErrorEvent`.
-/// The last event of a job is `DoneEvent` or `ErrorEvent`; after it nothing more happens.
+/// The last event of a job is `DoneEvent`, `CancelledEvent` or `ErrorEvent`; after it nothing more
+/// happens.
 class Job {
  public:
   Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options);
@@ -29,6 +30,9 @@ class Job {
   Events report(int task, TaskStatus status);
   /// Hands in a task's result.
   Events complete(int task, TaskResult result);
+
+  /// Ends the job; the event keeps the nets found so far. Takes some milliseconds.
+  Events cancel();
 
   bool finished() const { return finished_; }
 

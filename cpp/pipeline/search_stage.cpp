@@ -23,6 +23,9 @@ constexpr int kAttemptsOfWhole = 12;
 // split, as published: border exchange belongs to the tree search.
 constexpr int kEvolutions = 4;
 
+// What a search under way counts for in the progress, against one that found its net.
+constexpr double kSearchShare = 0.7;
+
 /// A region in search of a net, and the attempt that runs.
 struct Search {
   Region region;
@@ -75,15 +78,22 @@ class SearchStage : public Stage {
   }
 
   void end(JobState& state, Events& events) override {
+    salvage(state);
+    if (labels_changed_) events.push_back(SegmentedEvent{state.result.labels});
+    note_splits(state);
+  }
+
+  void salvage(JobState& state) override {
+    label_faces(state);
+    for (auto& [part, tree] : part_trees_) {
+      if (tree.overlaps == 0) state.nets.push_back(std::move(tree.net));
+    }
+    part_trees_.clear();
     // In the order of parts, and within a part by lowest panel, however the searches ended.
-    for (auto& [part, tree] : part_trees_) state.nets.push_back(std::move(tree.net));
     std::sort(state.nets.begin(), state.nets.end(), [](const FoundNet& a, const FoundNet& b) {
       return std::pair(a.region.part, a.region.panels[0]) <
              std::pair(b.region.part, b.region.panels[0]);
     });
-    label_faces(state);
-    if (labels_changed_) events.push_back(SegmentedEvent{state.result.labels});
-    note_splits(state);
   }
 
   void watch(int task, const Running& running, Events& events) override {
@@ -109,9 +119,16 @@ class SearchStage : public Stage {
     std::get<GenerationEvent>(events.back()).net = status.net;
   }
 
-  double progress(const JobState& state, const Running&) const override {
-    const int all = state.surface->graph.panel_count();
-    return static_cast<double>(panels_done_) / all;
+  double progress(const JobState& state, const Running& running) const override {
+    double done = panels_done_;
+    for (const auto& [task, status] : running) {
+      const auto search = searches_.find(task);
+      if (search == searches_.end()) continue;
+      // A search that gives up starts over, so that its whole way counts for a part only.
+      done +=
+          kSearchShare * status.progress * static_cast<double>(search->second.region.panels.size());
+    }
+    return std::min(1.0, done / state.surface->graph.panel_count());
   }
 
  private:

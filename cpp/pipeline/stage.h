@@ -35,6 +35,8 @@ class Stage {
   virtual void begin(JobState& state, TaskQueue& queue, Events& events) = 0;
   virtual void complete(JobState&, TaskQueue&, int /*task*/, TaskResult, Events&) {}
   virtual void end(JobState&, Events&) {}
+  /// Moves the nets that are finished to the state, when the job is cancelled in this stage.
+  virtual void salvage(JobState&) {}
   /// Called with each status of a task; `running` has it already.
   virtual void watch(int /*task*/, const Running& /*running*/, Events&) {}
   /// Share of the stage done, in [0, 1].

@@ -147,4 +147,6 @@ export type JobEvent =
   | { type: 'net'; part: number; piece: number }
   | { type: 'notice'; code: string; text: string }
   | { type: 'done'; result: JobResult }
+  /** Ended on demand; `best` holds the nets found so far, if any: other faces are in no piece. */
+  | { type: 'cancelled'; best?: JobResult }
   | { type: 'error'; code: string; text: string };

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <set>
+#include <sstream>
+
+#include "meshes.h"
+#include "pipeline/job.h"
+
+namespace foldwright {
+namespace {
+
+std::vector<std::byte> as_obj(const Mesh& mesh) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const Vec3& p : mesh.positions) {
+    text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (const auto& [a, b, c] : mesh.faces) {
+    text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  }
+  const std::string written = text.str();
+  std::vector<std::byte> bytes(written.size());
+  std::memcpy(bytes.data(), written.data(), written.size());
+  return bytes;
+}
+
+/// Runs a job with six parts until `wanted` nets are found, then cancels it.
+CancelledEvent cancel_after(int wanted) {
+  JobOptions options;
+  options.parts = 6;
+  options.runs = 30;
+  Job job(as_obj(testing::bumpy_sphere(300)), "hills.obj", options);
+  int nets = 0;
+  while (nets < wanted) {
+    for (const Event& event : job.step(1000)) nets += std::holds_alternative<NetEvent>(event);
+  }
+  const Events last = job.cancel();
+  EXPECT_TRUE(job.finished());
+  EXPECT_TRUE(job.step(1000).empty());
+  EXPECT_EQ(last.size(), 1u);
+  return std::get<CancelledEvent>(last.back());
+}
+
+TEST(JobCancel, KeepsNothingBeforeTheFirstNet) { EXPECT_EQ(cancel_after(0).best, nullptr); }
+
+TEST(JobCancel, KeepsTheNetsFoundSoFar) {
+  for (const int wanted : {1, 3}) {
+    const auto best = cancel_after(wanted).best;
+    ASSERT_NE(best, nullptr);
+    EXPECT_GE(static_cast<int>(best->pieces.size()), wanted);
+    EXPECT_LT(best->pieces.size(), 6u);
+    std::set<int> faces;
+    for (const Piece& piece : best->pieces) {
+      EXPECT_TRUE(piece.check.valid());
+      for (const int face : piece.net.faces) {
+        EXPECT_TRUE(faces.insert(face).second) << "face " << face << " is in two pieces";
+        EXPECT_EQ(best->labels[face], piece.part);
+      }
+    }
+    EXPECT_EQ(best->sheets.placements.size(), best->pieces.size());
+  }
+}
+
+}  // namespace
+}  // namespace foldwright
