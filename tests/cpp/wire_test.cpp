@@ -31,7 +31,8 @@ std::vector<Work> all_kinds_of_work() {
                                   .hyperbolic_cost = 3,
                                   .seed = 8};
   const PartsSoFar parts = {{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, {2, 3, 5, 6}, {{0, 1}}};
-  const ExchangeOptions exchange = {.part = 0, .most_steps = 40, .temperature = 0.9, .seed = 6};
+  const ExchangeOptions exchange = {
+      .part = 0, .most_steps = 40, .most_moves = 100000, .temperature = 0.9, .seed = 6};
   return {LearnTask{learn, 2, 7}, SearchTask{search}, GeneticTask{genetic},
           ExchangeTask{parts, exchange}};
 }
@@ -88,6 +89,7 @@ TEST(Wire, CarriesEveryOptionOfATask) {
   EXPECT_EQ(exchange.parts.fold_edges, (std::vector<int>{2, 3, 5, 6}));
   EXPECT_EQ(exchange.parts.overlaps, (std::map<int, int>{{0, 1}}));
   EXPECT_EQ(exchange.options.most_steps, 40);
+  EXPECT_EQ(exchange.options.most_moves, 100000);
   EXPECT_EQ(exchange.options.temperature, 0.9);
   EXPECT_EQ(exchange.options.seed, 6u);
 }
@@ -120,6 +122,16 @@ TEST(Wire, CarriesStatus) {
   EXPECT_EQ(copy.net->sources, status.net->sources);
   EXPECT_EQ(copy.net->overlapping, status.net->overlapping);
   EXPECT_FALSE(decode_status(encode(TaskStatus{})).net);
+}
+
+TEST(Wire, CarriesEveryFieldOfAnExchange) {
+  const TaskResult result = ExchangeResult{true, {0, 1, 1}, {{1, {4, 5}}}, {{0, 2}}, 99};
+  const auto copy = std::get<ExchangeResult>(decode_result(encode(result)));
+  EXPECT_TRUE(copy.found);
+  EXPECT_EQ(copy.labels, (std::vector<int>{0, 1, 1}));
+  EXPECT_EQ(copy.changed, (std::map<int, FoldTree>{{1, {4, 5}}}));
+  EXPECT_EQ(copy.overlaps, (std::map<int, int>{{0, 2}}));
+  EXPECT_EQ(copy.moves, 99);
 }
 
 }  // namespace
