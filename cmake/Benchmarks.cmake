@@ -1,19 +1,10 @@
-# Every tests/bench/NAME.cpp is a program bench_NAME. Those that use Google Benchmark are native only (there is no
-# WASM build of it); plain programs are built for WASM under node as well.
+# Every tests/bench/NAME.cpp is a program bench_NAME, natively and as WASM under node.
 
 file(GLOB bench_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/bench/*.cpp")
 foreach(source ${bench_sources})
-  file(STRINGS "${source}" uses_library REGEX "#include <benchmark/")
-  if(uses_library AND EMSCRIPTEN)
-    continue()
-  endif()
   cmake_path(GET source STEM name)
   add_executable(bench_${name} "${source}")
   target_link_libraries(bench_${name} PRIVATE test_helpers project_warnings)
-  if(uses_library)
-    find_package(benchmark REQUIRED)
-    target_link_libraries(bench_${name} PRIVATE benchmark::benchmark)
-  endif()
   if(EMSCRIPTEN)
     include(NodeProgram)
     make_node_program(bench_${name})

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 
 #include "mesh/repair.h"
 #include "meshes.h"
@@ -281,8 +282,8 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
   wide_margin.sheet.margin = 200;
   const std::string good = obj_of(cube());
   for (const Case& c :
-       {Case{"no model at all", "model.obj", {}, "no-faces"}, Case{"", "model.stl", {}, "empty-file"},
-        Case{good, "model.xyz", {}, "unknown-format"},
+       {Case{"no model at all", "model.obj", {}, "no-faces"},
+        Case{"", "model.stl", {}, "empty-file"}, Case{good, "model.xyz", {}, "unknown-format"},
         Case{"v 0 0 0\nf 1 2 3\n", "model.obj", {}, "bad-index"},
         Case{good, "model.obj", {.runs = 0}, "bad-option"},
         Case{good, "model.obj", wide_margin, "bad-option"}}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "geometry/random.h"
@@ -292,6 +293,18 @@ PolygonSoup soup_of(const Mesh& mesh) {
   std::vector<std::vector<int>> polygons;
   for (const auto& [a, b, c] : mesh.faces) polygons.push_back({a, b, c});
   return soup(mesh.positions, polygons);
+}
+
+std::string obj_of(const Mesh& mesh) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const Vec3& p : mesh.positions) {
+    text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (const auto& [a, b, c] : mesh.faces) {
+    text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  }
+  return text.str();
 }
 
 double signed_volume(const Mesh& mesh, int component) {

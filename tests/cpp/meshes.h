@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -62,6 +63,9 @@ PolygonSoup soup(std::vector<Vec3> positions, const std::vector<std::vector<int>
 
 /// The faces of a mesh as polygons, to be spoilt by a test and repaired.
 PolygonSoup soup_of(const Mesh& mesh);
+
+/// A mesh as an OBJ file, with all digits of its coordinates.
+std::string obj_of(const Mesh& mesh);
 
 /// Volume enclosed by a closed component, positive when it is wound outwards.
 double signed_volume(const Mesh& mesh, int component = 0);

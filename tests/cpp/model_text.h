@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "mesh/input_error.h"
-#include "mesh/mesh.h"
 #include "mesh/read_model.h"
 
 /// Models written down in a test, and what is said about them.
@@ -26,17 +24,6 @@ inline std::string refusal(std::string_view text, std::string_view file_name) {
     return error.what();
   }
   return "";
-}
-
-/// A mesh as an OBJ file, with all digits of its coordinates.
-inline std::string obj_of(const Mesh& mesh) {
-  std::ostringstream text;
-  text.precision(17);
-  for (const Vec3& p : mesh.positions) text << "v " << p.transpose() << '\n';
-  for (const auto& [a, b, c] : mesh.faces) {
-    text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
-  }
-  return text.str();
 }
 
 /// Corners of one face of a soup.
