@@ -42,6 +42,7 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
           ++done;
           return [];
         },
+        cancel: () => [{ type: 'cancelled' }],
         delete() {
           next = NaN;
         },

@@ -7,7 +7,7 @@ import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { writeFold } from '../../web/export/fold.js';
 import { defaultOptions } from '../../web/model/default-options.js';
-import type { JobOptions, Solver, Stage } from '../../web/model/job.js';
+import type { JobOptions, JobResult, Solver, Stage } from '../../web/model/job.js';
 import { sharedFolder } from './command.js';
 import { objText, wavyRing } from './model-text.js';
 import { isEngineBuilt, withThreads, type Killing } from './thread-pool.js';
@@ -101,6 +101,24 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
         expect((await unfold(pool, ring(6))).parts).toBe(8);
       }),
   );
+
+  it('keeps the nets that were found before a run was cancelled', () =>
+    withThreads(1, async (pool) => {
+      const control = new AbortController();
+      let best: JobResult | undefined;
+      // The genetic search takes its time over a ring, so that parts are left without a net.
+      const options: JobOptions = { ...defaultOptions, parts: 8, solver: 'genetic' };
+      const run = runJob(pool, ring(14), 'model.obj', options, {
+        signal: control.signal,
+        onEvent(event) {
+          if (event.type === 'net') control.abort();
+          if (event.type === 'cancelled') best = event.best;
+        },
+      });
+      await expect(run).rejects.toMatchObject({ name: 'AbortError' });
+      expect(best?.pieces.length).toBeGreaterThan(0);
+      expect(best?.pieces.every(({ overlaps }) => overlaps === 0)).toBe(true);
+    }));
 
   it.each(solvers)('tells every generation of every part by %s', async (solver) => {
     const last = new Map<number, number>();

@@ -8,7 +8,8 @@ import type { ModelFile } from './model-file.js';
 /** How a run ended. `crashed`: the worker failed, not the model. */
 export type Outcome =
   | { type: 'done'; result: TimedResult }
-  | { type: 'cancelled' }
+  /** `best`: the nets found so far, if any. */
+  | { type: 'cancelled'; best: TimedResult | null }
   | { type: 'failed'; text: string; crashed: boolean };
 
 /** Runs one job at a time in the engine's workers; a new one ends the one before. */
@@ -36,15 +37,18 @@ export class JobRunner {
     const abort = new AbortController();
     this.abort = abort;
     const { signal } = abort;
+    let best: TimedResult | null = null;
     const hear = (event: TimedEvent): void => {
       if (!signal.aborted) onEvent(event);
+      if (event.type !== 'cancelled' || !event.best) return;
+      best = { ...event.best, seconds: event.seconds };
     };
     try {
       const run = { signal, onEvent: hear, pictures: true };
       const result = await runJob(this.pool, model.bytes, model.name, options, run);
       return { type: 'done', result };
     } catch (error) {
-      if (signal.aborted) return { type: 'cancelled' };
+      if (signal.aborted) return { type: 'cancelled', best };
       if (!(error instanceof JobError)) throw error;
       return { type: 'failed', text: error.message, crashed: error.code === engineDied };
     } finally {

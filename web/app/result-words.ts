@@ -24,8 +24,20 @@ function finishedSize({ vertices }: Model): string {
   return `${extent(0)} × ${extent(1)} × ${extent(2)} mm`;
 }
 
+/** How many parts have all their faces in pieces: all of them, unless the run was cancelled. */
+function finishedParts({ labels, pieces, parts }: JobResult): number {
+  const missing = new Array<number>(parts).fill(0);
+  for (const part of labels) missing[part]! += 1;
+  for (const { part, sources } of pieces) missing[part]! -= sources.length;
+  return missing.filter((faces) => faces === 0).length;
+}
+
 /** The result in one sentence. */
 export function leadSentence(result: JobResult, paper: PaperSize): string {
+  const finished = finishedParts(result);
+  if (finished < result.parts) {
+    return `Cancelled: ${finished} of ${count(result.parts, 'part')} had their nets by then.`;
+  }
   const parts = count(result.parts, 'part');
   const pieces = count(result.pieces.length, 'piece');
   const sheets = `${count(result.sheets.length, 'sheet')} of ${paper.name}`;

@@ -9,7 +9,7 @@ import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Wishes } from './options-form.js';
 import { ProgressPanel } from './progress-panel.js';
-import { ResultPanel } from './result-panel.js';
+import { type FinishedRun, ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
@@ -90,13 +90,16 @@ export class Studio {
   private async finish(outcome: Outcome, { name }: ModelFile, wishes: Wishes): Promise<void> {
     const { hasFocus } = this.progress;
     if (outcome.type === 'done') {
-      const lead = await this.result.show({ fileName: name, wishes, result: outcome.result });
-      // Drawing loads the exporter: a run may have begun meanwhile, and the card is its own.
-      if (lead === null || this.runner.running) return;
-      this.workshop.finish(outcome.result);
+      const lead = await this.present({ fileName: name, wishes, result: outcome.result });
+      if (lead === null) return;
       this.progress.end(`Done: ${lead}`);
       this.form.action = 'Unfold again';
       if (hasFocus) this.result.focus();
+      return;
+    }
+    if (outcome.type === 'cancelled' && outcome.best) {
+      const lead = await this.present({ fileName: name, wishes, result: outcome.best });
+      if (lead !== null) this.progress.end(lead);
       return;
     }
     this.result.restore();
@@ -113,6 +116,15 @@ export class Studio {
       ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
       : 'Choose another model, or repair this one and try again.';
     this.message.show(`“${name}” could not be unfolded`, sentence(outcome.text), next);
+  }
+
+  /** Shows nets and model; null if a run has begun meanwhile, whose panels these are then. */
+  private async present(run: FinishedRun): Promise<string | null> {
+    // Drawing loads the exporter, which takes its time.
+    const lead = await this.result.show(run);
+    if (lead === null || this.runner.running) return null;
+    this.workshop.finish(run.result);
+    return lead;
   }
 
   /** Tells a failed choice; anything else is a fault of the page and goes on as one. */

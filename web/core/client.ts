@@ -9,7 +9,8 @@ export interface RunOptions {
   /** Ends the job; the promise then rejects with the signal's reason. */
   signal?: AbortSignal;
   /** Hears everything that the job tells, the last event included; batches come ten times a second
-   * at most. */
+   * at most. After an abort it hears `cancelled` with the nets found so far, unless the job was in a
+   * long step and its worker had to be replaced. */
   onEvent?: (event: TimedEvent) => void;
   /** Whether `generation` events show the net under search now and then. */
   pictures?: boolean;

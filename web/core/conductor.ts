@@ -31,7 +31,8 @@ const isLast = ({ type }: JobEvent): boolean => type === 'done' || type === 'err
 /** Adds the time to an event. */
 function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
   if (event.type === 'stage') return { ...event, seconds: clock.elapsed(now) };
-  return event.type === 'done' ? { ...event, seconds: clock.seconds() } : event;
+  if (event.type !== 'done' && event.type !== 'cancelled') return event;
+  return { ...event, seconds: clock.seconds() };
 }
 
 /** Runs one job: does the work that cannot be split, and its share of the tasks. */
@@ -100,7 +101,14 @@ export class Conductor {
       await (idle ? this.message() : this.host.pause());
     }
     this.bench.close();
+    if (!this.finished) this.leave();
     this.job.delete();
+  }
+
+  /** Ends the job before its time and tells what it has come to. */
+  private leave(): void {
+    const events = this.job.cancel().map((event) => timed(event, this.clock, performance.now()));
+    this.host.post({ type: 'events', job: this.number, events }, buffersOf(events));
   }
 
   /** Does some milliseconds of work; false when everything waits for the helpers. */

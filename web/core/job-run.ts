@@ -59,8 +59,9 @@ export class JobRun implements PoolListener {
   onAnswer(worker: number, answer: Answer): void {
     if (answer.job !== this.job) return;
     if (answer.type === 'ended') this.free(worker);
-    // What is still under way when the job ends is of no use any more.
     if (!this.settle) this.passOn(worker, answer);
+    // What is still under way when the job ends is of no use any more, but for what it came to.
+    else if (answer.type === 'events') this.tellLast(answer);
   }
 
   onDeath(worker: number, reason: string): void {
@@ -102,6 +103,12 @@ export class JobRun implements PoolListener {
       // After the last event the conductor frees everything by itself.
       if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
       this.listener.onEvent(event);
+    }
+  }
+
+  private tellLast({ events }: EventsAnswer): void {
+    for (const event of events) {
+      if (event.type === 'cancelled') this.listener.onEvent(event);
     }
   }
 

@@ -82,7 +82,8 @@ export interface TaskRequest {
 
 /**
  * To any worker: leave the job and free all of it. Answered by `ended` at the engine's next pause,
- * which may be as far away as its longest step: an asker in a hurry replaces the worker.
+ * which may be as far away as its longest step: an asker in a hurry replaces the worker. Before that
+ * a conductor answers by `events` with `cancelled`, if its job was not over.
  */
 export interface EndRequest {
   type: 'end';
@@ -94,10 +95,10 @@ export type Request =
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
 export type TimedEvent =
-  | Exclude<JobEvent, { type: 'stage' | 'done' }>
+  | Exclude<JobEvent, { type: 'stage' | 'done' | 'cancelled' }>
   /** `seconds` since the job began. */
   | (Extract<JobEvent, { type: 'stage' }> & { seconds: number })
-  | (Extract<JobEvent, { type: 'done' }> & { seconds: StageSeconds });
+  | (Extract<JobEvent, { type: 'done' | 'cancelled' }> & { seconds: StageSeconds });
 
 /** Answers `run`, at most ten times a second; transfers the buffers of all typed arrays. */
 export interface EventsAnswer {
