@@ -60,7 +60,7 @@ struct DualGraph {
   }
 };
 
-/// Fold angle of an inner edge in radians, in (-pi, pi]: 0 flat, valley (concave) positive,
+/// Fold angle of an inner edge in radians, in [-pi, pi): 0 flat, valley (concave) positive,
 /// mountain (convex) negative. Faces folded onto each other count as a mountain.
 double fold_angle(const Mesh& mesh, int edge);
 

@@ -5,12 +5,12 @@
 namespace foldwright {
 namespace {
 
-/// Per face of the file as read the part of the largest triangle that came from it.
+/// Per face of the file as read the part of the first triangle that came from it.
 std::vector<int> source_segmentation(const JobState& state) {
   std::vector<int> segmentation(state.model.source_face_count, -1);
   for (std::size_t face = 0; face < state.source_faces.size(); ++face) {
     int& part = segmentation[state.source_faces[face]];
-    // Triangles of one polygon may lie in two parts when it is not flat: the first one names it.
+    // Triangles of one polygon may lie in two parts when it is not flat.
     if (part != -1) continue;
     const int standin =
         state.face_standins.empty() ? static_cast<int>(face) : state.face_standins[face];
