@@ -1,46 +1,25 @@
 #include "mesh/split_nonmanifold.h"
 
-#include <numeric>
-
+#include "geometry/union_find.h"
 #include "mesh/edge_groups.h"
 #include "mesh/edge_insertion.h"
 
 namespace foldwright {
 namespace {
 
-/// Union-find; the lowest element stands for its set.
-class Sets {
- public:
-  explicit Sets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  void unite(int i, int j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 /// Corners that turn around the same vertex through joined edges. A corner has the number of the
 /// half-edge that starts there.
-Sets find_fans(const Partners& partners) {
+UnionFind find_fans(const Partners& partners) {
   const int count = static_cast<int>(partners.size());
-  Sets fans(count);
+  UnionFind fans(count);
   for (int h = 0; h < count; ++h) {
-    if (partners[h] != -1) fans.unite(h, next_half_edge(partners[h]));
+    if (partners[h] != -1) fans.join(h, next_half_edge(partners[h]));
   }
   return fans;
 }
 
 int split_vertices(TriangleSoup& soup, const Partners& partners) {
-  Sets fans = find_fans(partners);
+  UnionFind fans = find_fans(partners);
   std::vector<int> fans_of(soup.positions.size(), 0);
   std::vector<int> copy_of(partners.size(), -1);  // per fan, at the corner that stands for it
   for (int corner = 0; corner < static_cast<int>(partners.size()); ++corner) {

@@ -14,6 +14,9 @@
 namespace foldwright {
 namespace {
 
+// Products of different unit eigenvectors stay below this; Lanczos' own tolerance is 1e-10.
+constexpr double kOrthogonal = 1e-6;
+
 // An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
 constexpr int kMostEstimatedParts = 20;
 
@@ -58,7 +61,12 @@ Eigenpairs lanczos_eigenpairs(const Eigen::MatrixXd& matrix, int count, int basi
     return {};
   }
   if (solver.info() != Spectra::CompInfo::Successful) return {};
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  // Close to a breakdown rounding makes copies of a pair instead: their vectors are not orthogonal.
+  const Eigen::MatrixXd vectors = solver.eigenvectors();
+  const Eigen::MatrixXd products = vectors.transpose() * vectors;
+  const auto identity = Eigen::MatrixXd::Identity(products.rows(), products.cols());
+  if (!((products - identity).cwiseAbs().maxCoeff() < kOrthogonal)) return {};
+  return {solver.eigenvalues(), vectors};
 }
 
 /// The `count` largest eigenvalues and their vectors, each with its largest entry positive.

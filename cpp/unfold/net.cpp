@@ -4,28 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/union_find.h"
+
 namespace foldwright {
 namespace {
-
-/// Disjoint sets of small integers.
-class UnionFind {
- public:
-  explicit UnionFind(int size) : leader_(size) { std::iota(leader_.begin(), leader_.end(), 0); }
-
-  int find(int item) {
-    while (leader_[item] != item) item = leader_[item] = leader_[leader_[item]];
-    return item;
-  }
-  /// The lower leader leads.
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    leader_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> leader_;
-};
 
 int corner_at(const Mesh& mesh, int face, int vertex) {
   const auto& corners = mesh.faces[face];

@@ -4,18 +4,9 @@
 #include <cassert>
 #include <numeric>
 
+#include "geometry/union_find.h"
+
 namespace foldwright {
-namespace {
-
-int find_root(std::vector<int>& leader, int panel) {
-  while (leader[panel] != panel) {
-    leader[panel] = leader[leader[panel]];
-    panel = leader[panel];
-  }
-  return panel;
-}
-
-}  // namespace
 
 FoldTree minimum_spanning_tree(const DualGraph& graph, std::span<const double> weights) {
   assert(static_cast<int>(weights.size()) == graph.hinge_count());
@@ -24,16 +15,12 @@ FoldTree minimum_spanning_tree(const DualGraph& graph, std::span<const double> w
   std::sort(by_weight.begin(), by_weight.end(), [&](int a, int b) {
     return weights[a] != weights[b] ? weights[a] < weights[b] : a < b;
   });
-  std::vector<int> leader(graph.panel_count());
-  std::iota(leader.begin(), leader.end(), 0);
+  UnionFind trees(graph.panel_count());
   FoldTree folds;
   folds.reserve(graph.panel_count() - 1);
   for (const int h : by_weight) {
-    const int a = find_root(leader, graph.hinges[h].panels[0]);
-    const int b = find_root(leader, graph.hinges[h].panels[1]);
-    if (a == b) continue;
-    leader[a] = b;
-    folds.push_back(h);
+    const auto& [a, b] = graph.hinges[h].panels;
+    if (trees.join(a, b)) folds.push_back(h);
   }
   assert(static_cast<int>(folds.size()) == graph.panel_count() - 1 && "graph is not connected");
   std::sort(folds.begin(), folds.end());

@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <set>
-#include <sstream>
 
 #include "meshes.h"
 #include "pipeline/job.h"
@@ -11,17 +10,9 @@ namespace foldwright {
 namespace {
 
 std::vector<std::byte> as_obj(const Mesh& mesh) {
-  std::ostringstream text;
-  text.precision(17);
-  for (const Vec3& p : mesh.positions) {
-    text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  }
-  for (const auto& [a, b, c] : mesh.faces) {
-    text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
-  }
-  const std::string written = text.str();
-  std::vector<std::byte> bytes(written.size());
-  std::memcpy(bytes.data(), written.data(), written.size());
+  const std::string text = testing::obj_of(mesh);
+  std::vector<std::byte> bytes(text.size());
+  std::memcpy(bytes.data(), text.data(), text.size());
   return bytes;
 }
 
