@@ -41,7 +41,7 @@ test('model, foldability, net and fitness are drawn while a run goes on', () =>
       await expect.poll(() => studio.coloursOf(canvas), { timeout: 20_000 }).toBeGreaterThan(few);
     }
     await page.locator('#cancel').click();
-    await page.getByText('This is how far it came').waitFor();
+    await page.locator('#announcement', { hasText: 'Cancelled.' }).waitFor();
     expect(await studio.coloursOf('#model-canvas')).toBeGreaterThan(few);
     expect(studio.complaints).toEqual([]);
   }));

@@ -36,7 +36,7 @@ function finishedParts({ labels, pieces, parts }: JobResult): number {
 export function leadSentence(result: JobResult, paper: PaperSize): string {
   const finished = finishedParts(result);
   if (finished < result.parts) {
-    return `Cancelled: ${finished} of ${count(result.parts, 'part')} had their nets by then.`;
+    return `${finished} of ${count(result.parts, 'part')} had their nets when the run was cancelled.`;
   }
   const parts = count(result.parts, 'part');
   const pieces = count(result.pieces.length, 'piece');

@@ -99,7 +99,7 @@ export class Studio {
     }
     if (outcome.type === 'cancelled' && outcome.best) {
       const lead = await this.present({ fileName: name, wishes, result: outcome.best });
-      if (lead !== null) this.progress.end(lead);
+      if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
       return;
     }
     this.result.restore();
