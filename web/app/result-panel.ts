@@ -49,9 +49,14 @@ export class ResultPanel {
     this.panel.hidden = true;
   }
 
+  /** Whether there ever was a result. */
+  get exists(): boolean {
+    return this.panel.dataset['hash'] !== undefined;
+  }
+
   /** Shows the last result again, if there ever was one. */
   restore(): void {
-    this.panel.hidden = this.panel.dataset['hash'] === undefined;
+    this.panel.hidden = !this.exists;
   }
 
   /** Moves the keyboard to the result. */

@@ -97,7 +97,8 @@ export class Studio {
       if (hasFocus) this.result.focus();
       return;
     }
-    if (outcome.type === 'cancelled' && outcome.best) {
+    // A whole result is worth more than a part of the next one.
+    if (outcome.type === 'cancelled' && outcome.best && !this.result.exists) {
       const lead = await this.present({ fileName: name, wishes, result: outcome.best });
       if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
       return;
