@@ -16,6 +16,12 @@ const flags = [
   '--disable-sync',
 ];
 
+/** A canvas that shows nothing has one colour; edges smoothed by the browser make many. */
+const few = 20;
+
+/** Ms in which a picture must appear: software takes its time to start WebGL. */
+const patience = 20_000;
+
 /** Window sizes that the page is looked at in. */
 export const desktop = { width: 1280, height: 800 };
 export const phone = { width: 390, height: 844 };
@@ -23,6 +29,10 @@ export const phone = { width: 390, height: 844 };
 export interface BrowserOptions {
   viewport?: { width: number; height: number };
   colorScheme?: 'light' | 'dark';
+  /** Whether things move by themselves; by default they do not. */
+  reducedMotion?: 'reduce' | 'no-preference';
+  /** Of the browser, besides those that it always gets. */
+  flags?: string[];
   /** Runs in the page before its own scripts. */
   script?: string;
 }
@@ -50,15 +60,15 @@ export class StudioPage {
 
   static async open(
     address: string,
-    { viewport = desktop, colorScheme = 'light', script }: BrowserOptions = {},
+    { script, flags: more = [], ...options }: BrowserOptions = {},
   ): Promise<StudioPage> {
     const profile = await mkdtemp(join(tmpdir(), 'foldwright-chromium-'));
     const context = await chromium.launchPersistentContext(profile, {
       executablePath,
-      args: flags,
-      viewport,
-      colorScheme,
+      args: [...flags, ...more],
+      viewport: desktop,
       reducedMotion: 'reduce',
+      ...options,
     });
     const studio = new StudioPage(context.pages()[0]!, context, profile);
     if (script) await context.addInitScript(script);
@@ -116,8 +126,16 @@ export class StudioPage {
     return this.page.locator('#message-words').innerText();
   }
 
+  /** Waits until a canvas shows a picture. */
+  async drawn(selector: string): Promise<void> {
+    const last = Date.now() + patience;
+    while ((await this.coloursOf(selector)) <= few) {
+      if (Date.now() > last) throw new Error(`${selector} stays empty`);
+    }
+  }
+
   /** Counts the colours that an element shows on the screen. */
-  async coloursOf(selector: string): Promise<number> {
+  private async coloursOf(selector: string): Promise<number> {
     const shot = await this.page.locator(selector).screenshot();
     return this.page.evaluate(
       async (source) => {

@@ -1,4 +1,5 @@
-import type { ModelView } from '../view/model-view.js';
+import type { DrawingFailure } from '../view/drawing.js';
+import { modelView } from '../view/model-view.js';
 import { find } from './dom.js';
 
 interface ShownModel {
@@ -6,82 +7,52 @@ interface ShownModel {
   faces: Int32Array;
 }
 
-const noWebGl = 'This browser draws no 3D view, because it has no WebGL 2. All else works.';
-const notLoaded = 'The 3D view could not be loaded. All else works.';
+const excuses: Readonly<Record<DrawingFailure, string>> = {
+  impossible: 'This browser draws no 3D view, because it has no WebGL 2. All else works.',
+  broken: 'The 3D view does not work here. All else does.',
+};
 
-/**
- * The model in 3D. Its view loads when first needed, so that the page appears without it; whatever
- * was asked for until then is made up for.
- */
+/** The model in 3D. */
 export class ModelPanel {
   readonly figure = find('#model', HTMLElement);
   private readonly canvas = find('#model-canvas', HTMLCanvasElement);
   private readonly note = find('#model-note', HTMLElement);
   private readonly name = find('#model-name', HTMLElement);
-  private view: ModelView | null = null;
-  private loading = false;
-  private model: ShownModel | null = null;
-  private labels: Int32Array | null = null;
-  private hatched = false;
-  private turning = false;
+  private readonly view = modelView(this.canvas, (failure) => this.excuse(excuses[failure]));
+  /** Of the model that is shown. */
+  private faceCount = 0;
 
-  /** Starts to load the view, for a model that will come. */
+  /** Loads what draws, so that the page appears without it. */
   prepare(): void {
-    if (this.view || this.loading) return;
-    const context = this.canvas.getContext('webgl2', { alpha: true, antialias: true });
-    if (context) void this.load(context);
-    else this.excuse(noWebGl);
+    void this.view.open();
   }
 
   /** Shows a model as blank paper. */
-  show(name: string, model: ShownModel): void {
+  show(name: string, { vertices, faces }: ShownModel): void {
     this.name.textContent = name;
-    this.model = model;
-    this.labels = null;
-    this.view?.setModel(model.vertices, model.faces);
+    this.faceCount = faces.length / 3;
+    this.view.tell({ type: 'model', vertices, faces });
   }
 
   /** Shows the repaired model in its final colours; the one on screen only changes its colours. */
   finish(name: string, model: ShownModel, labels: Int32Array): void {
-    const same = this.model?.faces.length === model.faces.length;
-    if (!same) this.show(name, model);
+    if (this.faceCount !== model.faces.length / 3) this.show(name, model);
     this.paint(labels);
   }
 
   /** Colours the faces by their parts. */
   paint(labels: Int32Array): void {
-    this.labels = labels;
-    this.view?.setLabels(labels);
+    this.view.tell({ type: 'labels', labels });
   }
 
   hatch(hatched: boolean): void {
-    this.hatched = hatched;
-    if (this.view) this.view.hatched = hatched;
+    this.view.tell({ type: 'hatched', hatched });
   }
 
   /** Turns slowly, unless the person would rather have things rest. */
   turn(turning: boolean): void {
-    this.turning = turning && !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (this.turning) this.view?.turn();
-    else this.view?.rest();
-  }
-
-  private async load(context: WebGL2RenderingContext): Promise<void> {
-    this.loading = true;
-    try {
-      const { ModelView } = await import('../view/model-view.js');
-      this.view = new ModelView(this.canvas, context);
-    } catch (error) {
-      console.warn(error);
-      this.excuse(notLoaded);
-      return;
-    } finally {
-      this.loading = false;
-    }
-    if (this.model) this.view.setModel(this.model.vertices, this.model.faces);
-    if (this.labels) this.view.setLabels(this.labels);
-    this.view.hatched = this.hatched;
-    if (this.turning) this.view.turn();
+    const wanted = turning && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.view.tell({ type: 'turning', turning: wanted });
   }
 
   private excuse(words: string): void {

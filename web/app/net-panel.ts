@@ -1,8 +1,7 @@
 import type { JobEvent, JobResult, NetPicture } from '../model/job.js';
 import { finishedNet } from '../view/finished-net.js';
-import { drawNet, type NetStyle } from '../view/net-picture.js';
 import { partColour } from '../view/part-colours.js';
-import { Picture } from '../view/picture.js';
+import { openPicture } from '../view/picture.js';
 import { find, make } from './dom.js';
 
 /** The net that is being searched, and a chip for each part, filled when its net is found. */
@@ -13,19 +12,14 @@ export class NetPanel {
   private part = 0;
   private labels: Int32Array | null = null;
   private hatched = false;
-  private readonly picture = new Picture(
-    find('#net', HTMLCanvasElement),
-    (context, width, height) => {
-      if (this.net) drawNet(context, width, height, this.net, this.style());
-    },
-  );
+  private readonly picture = openPicture(find('#net', HTMLCanvasElement));
 
   clear(): void {
     this.net = null;
     this.labels = null;
     this.words.textContent = 'comes after the parts are chosen';
     this.chips.replaceChildren();
-    this.picture.request();
+    this.draw();
   }
 
   /** Takes the parts of the faces in. */
@@ -38,7 +32,7 @@ export class NetPanel {
 
   hatch(hatched: boolean): void {
     this.hatched = hatched;
-    this.picture.request();
+    this.draw();
   }
 
   follow({ part, generation, overlaps, net }: Extract<JobEvent, { type: 'generation' }>): void {
@@ -49,7 +43,7 @@ export class NetPanel {
     if (!net) return;
     this.part = part;
     this.net = net;
-    this.picture.request();
+    this.draw();
   }
 
   /** Shows the largest of the nets that came out. */
@@ -60,7 +54,7 @@ export class NetPanel {
     for (const { part } of pieces) this.found(part);
     this.words.textContent = `part ${largest.part + 1}, without overlaps`;
     this.net = finishedNet(largest);
-    this.picture.request();
+    this.draw();
   }
 
   /** Fills the chip of a part that has a net now. */
@@ -69,9 +63,14 @@ export class NetPanel {
     this.chips.children[part]?.classList.add('chip--found');
   }
 
-  /** What drawing asks: a face's part and whether to hatch it. */
-  private style(): NetStyle {
-    return { partOf: (face) => this.labels?.[face] ?? this.part, hatched: this.hatched };
+  private draw(): void {
+    const { net, labels, hatched } = this;
+    if (!net) {
+      this.picture.tell({ type: 'nothing' });
+      return;
+    }
+    const parts = net.sources.map((face) => labels?.[face] ?? this.part);
+    this.picture.tell({ type: 'net', net, parts, hatched });
   }
 
   private addChip(part: number): void {

@@ -1,7 +1,8 @@
+import { squareContext, type Context2d } from './context-2d.js';
 import { hatchPaths, hatchTile, hatchWidth } from './part-hatches.js';
 
 /** Draws one tile of a hatch, `size` pixels wide, over whatever `context` holds. */
-function drawTile(context: CanvasRenderingContext2D, hatch: number, size: number): void {
+function drawTile(context: Context2d, hatch: number, size: number): void {
   const scale = size / hatchTile;
   context.save();
   context.scale(scale, scale);
@@ -10,17 +11,9 @@ function drawTile(context: CanvasRenderingContext2D, hatch: number, size: number
   context.restore();
 }
 
-function tileContext(size: number): CanvasRenderingContext2D {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = size;
-  const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error('This browser draws no canvases');
-  return context;
-}
-
 /** A fill for canvases: the colour with the hatch over it, in tiles of `size` pixels. */
 export function hatchFill(colour: string, ink: string, hatch: number, size: number): CanvasPattern {
-  const context = tileContext(size);
+  const context = squareContext(size);
   context.fillStyle = colour;
   context.fillRect(0, 0, size, size);
   context.strokeStyle = ink;
@@ -35,7 +28,7 @@ export function hatchInk(size: number): Uint8Array {
   const area = size * size;
   const ink = new Uint8Array(hatchPaths.length * area);
   hatchPaths.forEach((_path, hatch) => {
-    const context = tileContext(size);
+    const context = squareContext(size);
     drawTile(context, hatch, size);
     const { data } = context.getImageData(0, 0, size, size);
     for (let i = 0; i < area; ++i) ink[hatch * area + i] = data[4 * i + 3]!;

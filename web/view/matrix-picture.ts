@@ -1,4 +1,5 @@
 import type { MatrixPicture } from '../model/job.js';
+import { squareContext, type Context2d } from './context-2d.js';
 
 // Paper and ink as on the sheets, in the dark, too: darker is more likely.
 const paper = [255, 254, 251] as const;
@@ -6,11 +7,8 @@ const ink = [35, 42, 49] as const;
 const border = '#ad381e';
 
 /** The matrix at one pixel per entry. */
-function plainMatrix({ size, values }: MatrixPicture): HTMLCanvasElement {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = size;
-  const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser draws no canvases');
+function plainMatrix({ size, values }: MatrixPicture): CanvasImageSource {
+  const context = squareContext(size);
   const image = context.createImageData(size, size);
   for (let i = 0; i < size * size; ++i) {
     const share = values[i]! / 255;
@@ -20,16 +18,11 @@ function plainMatrix({ size, values }: MatrixPicture): HTMLCanvasElement {
     image.data[4 * i + 3] = 255;
   }
   context.putImageData(image, 0, 0);
-  return canvas;
+  return context.canvas;
 }
 
 /** Frames the parts along the diagonal. */
-function drawBlocks(
-  context: CanvasRenderingContext2D,
-  blocks: Int32Array,
-  size: number,
-  scale: number,
-): void {
+function drawBlocks(context: Context2d, blocks: Int32Array, size: number, scale: number): void {
   context.strokeStyle = border;
   context.lineWidth = 1.5;
   blocks.forEach((first, index) => {
@@ -40,7 +33,7 @@ function drawBlocks(
 
 /** Draws the foldability matrix as large as fits into the middle of a canvas of this size. */
 export function drawMatrix(
-  context: CanvasRenderingContext2D,
+  context: Context2d,
   width: number,
   height: number,
   matrix: MatrixPicture,

@@ -1,4 +1,5 @@
 import type { NetPicture } from '../model/job.js';
+import type { Context2d } from './context-2d.js';
 import { hatchFill } from './hatch-tile.js';
 import { partColour } from './part-colours.js';
 import { partHatch } from './part-hatches.js';
@@ -15,6 +16,13 @@ const tile = 10;
 
 /** Above so many faces, edges are drawn thinner. */
 const manyFaces = 600;
+
+export interface PaintedNet {
+  net: NetPicture;
+  /** Per face of the net: its part. */
+  parts: Int32Array;
+  hatched: boolean;
+}
 
 interface Placing {
   scale: number;
@@ -42,16 +50,14 @@ function placeNet(corners: Float32Array, width: number, height: number): Placing
 
 /** One path of the faces with this part, or of the overlapping ones, for each that occurs. */
 function facePaths(
-  net: NetPicture,
+  { net, parts }: PaintedNet,
   { scale, x, y }: Placing,
-  partOf: (face: number) => number,
-): { parts: Map<number, Path2D>; overlapping: Path2D } {
-  const parts = new Map<number, Path2D>();
+): { ofParts: Map<number, Path2D>; overlapping: Path2D } {
+  const ofParts = new Map<number, Path2D>();
   const overlapping = new Path2D();
-  net.sources.forEach((source, face) => {
-    const part = partOf(source);
-    let path = net.overlapping[face] ? overlapping : parts.get(part);
-    if (!path) parts.set(part, (path = new Path2D()));
+  parts.forEach((part, face) => {
+    let path = net.overlapping[face] ? overlapping : ofParts.get(part);
+    if (!path) ofParts.set(part, (path = new Path2D()));
     const right = (corner: number): number => x + scale * net.corners[6 * face + 2 * corner]!;
     const down = (corner: number): number => y - scale * net.corners[6 * face + 2 * corner + 1]!;
     path.moveTo(right(0), down(0));
@@ -60,31 +66,25 @@ function facePaths(
     // Closing it would take browsers the longer the more there is in the path.
     path.lineTo(right(0), down(0));
   });
-  return { parts, overlapping };
-}
-
-export interface NetStyle {
-  /** The part of a face of the model. */
-  partOf: (face: number) => number;
-  hatched: boolean;
+  return { ofParts, overlapping };
 }
 
 /** Draws a net into a canvas of this size: faces in the colours of their parts, overlaps in red. */
 export function drawNet(
-  context: CanvasRenderingContext2D,
+  context: Context2d,
   width: number,
   height: number,
-  net: NetPicture,
-  { partOf, hatched }: NetStyle,
+  painted: PaintedNet,
 ): void {
-  if (net.sources.length === 0) return;
-  const { parts, overlapping } = facePaths(net, placeNet(net.corners, width, height), partOf);
+  const { net, parts, hatched } = painted;
+  if (parts.length === 0) return;
+  const { ofParts, overlapping } = facePaths(painted, placeNet(net.corners, width, height));
   context.lineJoin = 'round';
   // The more faces, the thinner their edges, or a large net would be all ink.
-  const thin = Math.min(1, Math.sqrt(manyFaces / net.sources.length));
+  const thin = Math.min(1, Math.sqrt(manyFaces / parts.length));
   context.lineWidth = 0.5 * thin;
   context.strokeStyle = foldLine;
-  for (const [part, path] of parts) {
+  for (const [part, path] of ofParts) {
     const colour = partColour(part);
     context.fillStyle = hatched ? hatchFill(colour, ink, partHatch(part), tile) : colour;
     context.fill(path);

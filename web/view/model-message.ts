@@ -1,0 +1,21 @@
+/** A turn by hand around the model. */
+export interface Turn {
+  /** Radians around the upright axis. */
+  around: number;
+  /** Radians downwards. */
+  down: number;
+  /** How many times as far away. */
+  away: number;
+}
+
+/** What a picture of a model is told, in plain data: another thread may be the one that draws. */
+export type ModelMessage =
+  /** Another model, as blank paper, from the first point of view. 3 numbers per vertex and face. */
+  | { type: 'model'; vertices: Float32Array | Float64Array; faces: Int32Array }
+  /** The parts of the faces; -1 is blank paper. Those of another model are ignored. */
+  | { type: 'labels'; labels: Int32Array }
+  /** Whether hatches tell the parts apart, besides colours. */
+  | { type: 'hatched'; hatched: boolean }
+  /** Whether the model turns by itself, until it is turned by hand. */
+  | { type: 'turning'; turning: boolean }
+  | ({ type: 'turn' } & Turn);

@@ -1,0 +1,42 @@
+import type { MatrixPicture } from '../model/job.js';
+import type { CanvasSize } from './canvas-size.js';
+import type { Canvas2d } from './context-2d.js';
+import type { SizeMessage } from './drawing.js';
+import { drawMatrix } from './matrix-picture.js';
+import { drawNet, type PaintedNet } from './net-picture.js';
+import { Redraw } from './redraw.js';
+
+/** What there is to see on a flat picture, in plain data. */
+export type PictureMessage =
+  ({ type: 'net' } & PaintedNet) | { type: 'matrix'; matrix: MatrixPicture } | { type: 'nothing' };
+
+/** Between two drawings in ms: events come no faster, and the eye asks for no more. */
+const interval = 100;
+
+/** Draws a flat picture, sharp at any size; of what comes in a short time only the last. */
+export class Painter {
+  private subject: PictureMessage = { type: 'nothing' };
+  private size: CanvasSize = { width: 0, height: 0, density: 1 };
+  private readonly redraw = new Redraw(() => this.draw(), interval);
+
+  constructor(private readonly canvas: Canvas2d) {}
+
+  take(message: PictureMessage | SizeMessage): void {
+    if (message.type === 'size') this.size = message;
+    else this.subject = message;
+    this.redraw.request();
+  }
+
+  private draw(): void {
+    const { subject } = this;
+    const { width, height, density } = this.size;
+    const context = this.canvas.getContext('2d');
+    if (!context || width === 0 || height === 0) return;
+    // Setting the size clears the canvas, too, and resets its transform.
+    this.canvas.width = Math.round(width * density);
+    this.canvas.height = Math.round(height * density);
+    context.scale(density, density);
+    if (subject.type === 'net') drawNet(context, width, height, subject);
+    if (subject.type === 'matrix') drawMatrix(context, width, height, subject.matrix);
+  }
+}

@@ -1,0 +1,90 @@
+import type { Turn } from './model-message.js';
+
+/** A drag as long as the picture is high goes once around. */
+const fullTurn = 2 * Math.PI;
+
+/** Angle of one press of a key in radians, and how much nearer one press of + comes. */
+const keyAngle = Math.PI / 24;
+const keyZoom = 0.9;
+
+/** How much nearer a notch of the wheel comes, and its length in pixels, or in lines of that many. */
+const wheelZoom = 0.95;
+const wheelNotch = 100;
+const wheelLine = 16;
+
+const still: Turn = { around: 0, down: 0, away: 1 };
+
+const keyTurns: Readonly<Record<string, Partial<Turn>>> = {
+  ArrowLeft: { around: -keyAngle },
+  ArrowRight: { around: keyAngle },
+  ArrowUp: { down: -keyAngle },
+  ArrowDown: { down: keyAngle },
+  '+': { away: keyZoom },
+  '-': { away: 1 / keyZoom },
+};
+
+interface Point {
+  x: number;
+  y: number;
+}
+
+/** Makes turns of what hands do to a picture: drag, pinch, roll the wheel, press keys. */
+export class TurnInput {
+  /** Where mouse, pen and fingers hold the picture. */
+  private readonly held = new Map<number, Point>();
+
+  /** @param onTurn is also called when the picture is grabbed, with a turn that moves nothing */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly onTurn: (turn: Turn) => void,
+  ) {
+    canvas.addEventListener('pointerdown', (event) => this.grab(event));
+    canvas.addEventListener('pointermove', (event) => this.drag(event));
+    canvas.addEventListener('pointerup', ({ pointerId }) => this.held.delete(pointerId));
+    canvas.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
+    canvas.addEventListener('wheel', (event) => this.roll(event), { passive: false });
+    canvas.addEventListener('keydown', (event) => this.press(event));
+  }
+
+  private turn(turn: Partial<Turn>): void {
+    this.onTurn({ ...still, ...turn });
+  }
+
+  private grab({ pointerId, clientX, clientY }: PointerEvent): void {
+    this.canvas.focus({ preventScroll: true });
+    this.canvas.setPointerCapture(pointerId);
+    this.held.set(pointerId, { x: clientX, y: clientY });
+    this.turn({});
+  }
+
+  private drag({ pointerId, clientX, clientY }: PointerEvent): void {
+    const from = this.held.get(pointerId);
+    if (!from) return;
+    const to = { x: clientX, y: clientY };
+    this.held.set(pointerId, to);
+    const other = [...this.held].find(([id]) => id !== pointerId)?.[1];
+    if (other) {
+      const span = ({ x, y }: Point): number => Math.hypot(x - other.x, y - other.y) || 1;
+      this.turn({ away: span(from) / span(to) });
+      return;
+    }
+    const scale = fullTurn / this.canvas.clientHeight;
+    this.turn({ around: scale * (from.x - to.x), down: scale * (from.y - to.y) });
+  }
+
+  private roll(event: WheelEvent): void {
+    // The wheel belongs to the page until the model has been chosen.
+    if (document.activeElement !== this.canvas) return;
+    event.preventDefault();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
+    const notches = (event.deltaY * (lines ? wheelLine : 1)) / wheelNotch;
+    this.turn({ away: wheelZoom ** -notches });
+  }
+
+  private press(event: KeyboardEvent): void {
+    const turn = keyTurns[event.key];
+    if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.turn(turn);
+  }
+}
