@@ -76,6 +76,17 @@ test('a worker that dies is replaced', () =>
     await nextRunWorks(studio);
   }));
 
+test('sheets that cannot be drawn are told of', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.context().route('**/writer-worker*', (route) => route.abort());
+    await studio.chooseSample('Cube');
+    expect(await studio.message()).toContain('could not be drawn');
+    expect(await page.locator('#progress').isVisible()).toBe(false);
+    await page.context().unroute('**/writer-worker*');
+    await nextRunWorks(studio);
+  }));
+
 test('a browser without SIMD is told which one to use', () =>
   withStudio(
     async (studio) => {

@@ -56,7 +56,7 @@ test('the engine works in a worker, and the page answers while it does', () =>
       page.waitForEvent('worker'),
       studio.choose('ring.obj', objText(wavyRing(40))),
     ]);
-    expect(new URL(worker.url()).pathname).toContain('worker');
+    expect(new URL(worker.url()).pathname).toContain('/worker-');
     await page.locator('#cancel').waitFor();
     // The module is compiled where it runs: the page's own thread must not ask for it.
     const own = await page.evaluate(() =>

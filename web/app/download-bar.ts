@@ -1,11 +1,11 @@
 import { find } from './dom.js';
-import { exportResult, type ExportInput } from './exporters.js';
+import type { ResultWriter } from './result-writer.js';
 import { saveFile } from './save-file.js';
 
 /** The buttons that save the result, one for each format. */
 export class DownloadBar {
   private readonly bar = find('#downloads', HTMLElement);
-  private input: ExportInput | null = null;
+  private writer: ResultWriter | null = null;
 
   constructor(private readonly onFailure: (format: string) => void) {
     for (const button of this.bar.querySelectorAll('button')) {
@@ -13,18 +13,19 @@ export class DownloadBar {
     }
   }
 
-  /** Saves this result from now on. */
-  offer(input: ExportInput): void {
-    this.input = input;
+  /** Saves what this one writes from now on. The one before is not needed any more. */
+  offer(writer: ResultWriter): void {
+    this.writer?.close();
+    this.writer = writer;
   }
 
   private async save(button: HTMLButtonElement): Promise<void> {
-    const { input } = this;
+    const { writer } = this;
     const format = button.dataset['format'];
-    if (!input || !format || button.getAttribute('aria-busy') === 'true') return;
+    if (!writer || !format || button.getAttribute('aria-busy') === 'true') return;
     button.setAttribute('aria-busy', 'true');
     try {
-      const { name, content, mediaType } = await exportResult(format, input);
+      const { name, content, mediaType } = await writer.file(format);
       saveFile(name, content, mediaType);
     } catch (error) {
       console.error(error);

@@ -1,3 +1,4 @@
+import { writeSvg } from '../export/svg.js';
 import type { JobResult } from '../model/job.js';
 
 /** A file for the person to keep. */
@@ -17,7 +18,7 @@ export interface ExportInput {
 
 type Exporter = (input: ExportInput) => Promise<ExportedFile>;
 
-// Each exporter loads when it is first asked for: a PDF writer is larger than the whole page.
+// The others load when they are first asked for: a PDF writer is larger than the whole page.
 const exporters: Readonly<Record<string, Exporter>> = {
   pdf: async ({ result, name, margin }) => {
     const { writePdf } = await import('../export/pdf.js');
@@ -26,7 +27,6 @@ const exporters: Readonly<Record<string, Exporter>> = {
   },
   svg: async ({ result, name }) => {
     if (result.sheets.length === 1) {
-      const { writeSvg } = await import('../export/svg.js');
       return { name: `${name}.svg`, content: writeSvg(result, 0), mediaType: 'image/svg+xml' };
     }
     const { writeSvgZip } = await import('../export/svg-zip.js');

@@ -3,6 +3,7 @@ import { find, make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import type { Wishes } from './options-form.js';
 import { leadSentence, netRemarks, repairRemarks, resultFacts } from './result-words.js';
+import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
 
 /** A finished run: what was asked for and what came out. */
@@ -70,10 +71,14 @@ export class ResultPanel {
    */
   async show({ fileName, wishes, result }: FinishedRun): Promise<string | null> {
     const turn = ++this.turns;
-    const sheets = await this.sheets.draw(result);
-    if (turn !== this.turns) return null;
-    this.sheets.show(sheets);
     const name = stem(fileName);
+    const writer = new ResultWriter({ result, name, margin: wishes.job.margin });
+    const sheets = await this.sheets.draw(result, writer);
+    if (turn !== this.turns) {
+      writer.close();
+      return null;
+    }
+    this.sheets.show(sheets);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;
     this.lead.textContent = lead;
@@ -88,7 +93,7 @@ export class ResultPanel {
     ];
     this.remarks.replaceChildren(...remarks);
     this.remarks.hidden = remarks.length === 0;
-    this.downloads.offer({ result, name, margin: wishes.job.margin });
+    this.downloads.offer(writer);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
     this.panel.hidden = false;

@@ -5,6 +5,23 @@ import { partHatch } from '../view/part-hatches.js';
 import { sheetPicture } from '../view/sheet-picture.js';
 import { find, make } from './dom.js';
 import { nextFrame } from './next-frame.js';
+import type { ResultWriter } from './result-writer.js';
+
+/** One sheet with its caption, from its SVG. */
+function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
+  const pieces = result.pieces.filter((piece) => piece.sheet === index);
+  const paints = new Map(
+    pieces.map(({ id, part }) => [
+      pieceLetter(id),
+      { colour: partColour(part), hatch: partHatch(part) },
+    ]),
+  );
+  const number = `Sheet ${index + 1} of ${result.sheets.length}`;
+  const names = [...paints.keys()].join(', ');
+  const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
+  const picture = sheetPicture(source, paints, caption);
+  return make('figure', {}, picture, make('figcaption', { textContent: caption }));
+}
 
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList {
@@ -19,27 +36,13 @@ export class SheetList {
 
   /**
    * Draws all sheets with the exporter that also writes the files: screen and paper agree. Lets the
-   * page answer in between, as large models take a while.
+   * page answer after each, as large ones take a while.
    */
-  async draw(result: JobResult): Promise<HTMLLIElement[]> {
-    const { writeSvg } = await import('../export/svg.js');
+  async draw(result: JobResult, writer: ResultWriter): Promise<HTMLLIElement[]> {
     const widest = Math.max(...result.sheets.map(({ width }) => width));
     const items: HTMLLIElement[] = [];
     for (const [index, sheet] of result.sheets.entries()) {
-      const source = writeSvg(result, index);
-      await nextFrame();
-      const pieces = result.pieces.filter((piece) => piece.sheet === index);
-      const paints = new Map(
-        pieces.map(({ id, part }) => [
-          pieceLetter(id),
-          { colour: partColour(part), hatch: partHatch(part) },
-        ]),
-      );
-      const number = `Sheet ${index + 1} of ${result.sheets.length}`;
-      const names = [...paints.keys()].join(', ');
-      const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
-      const picture = sheetPicture(source, paints, caption);
-      const figure = make('figure', {}, picture, make('figcaption', { textContent: caption }));
+      const figure = drawSheet(result, index, await writer.sheet(index));
       figure.style.setProperty('--share', String(sheet.width / widest));
       items.push(make('li', { className: 'sheet' }, figure));
       await nextFrame();

@@ -88,10 +88,10 @@ export class Studio {
   }
 
   private async finish(outcome: Outcome, { name }: ModelFile, wishes: Wishes): Promise<void> {
-    const { hasFocus } = this.progress;
     if (outcome.type === 'done') {
       const lead = await this.present({ fileName: name, wishes, result: outcome.result });
       if (lead === null) return;
+      const { hasFocus } = this.progress;
       this.progress.end(`Done: ${lead}`);
       this.form.action = 'Unfold again';
       if (hasFocus) this.result.focus();
@@ -103,26 +103,39 @@ export class Studio {
       if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
       return;
     }
-    this.result.restore();
-    this.welcome.hidden = this.result.shown || this.workshop.shown;
-    if (hasFocus) this.form.focus();
     if (outcome.type === 'cancelled') {
-      this.workshop.stop('Cancelled. This is how far it came.');
-      this.progress.end('Cancelled.');
+      this.leave('Cancelled. This is how far it came.', 'Cancelled.');
       return;
     }
-    this.workshop.stop('This is how far it came.');
-    this.progress.end('');
+    this.leave('This is how far it came.', '');
     const next = outcome.crashed
       ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
       : 'Choose another model, or repair this one and try again.';
     this.message.show(`“${name}” could not be unfolded`, sentence(outcome.text), next);
   }
 
-  /** Shows nets and model; null if a run has begun meanwhile, whose panels these are then. */
+  /** Ends a run without a result: keeps its pictures with a note, or shows what was there before. */
+  private leave(note: string, announcement: string): void {
+    const { hasFocus } = this.progress;
+    this.result.restore();
+    this.welcome.hidden = this.result.shown || this.workshop.shown;
+    if (hasFocus) this.form.focus();
+    this.workshop.stop(note);
+    this.progress.end(announcement);
+  }
+
+  /**
+   * Shows nets and model; null if they could not be drawn, or if a run has begun meanwhile, whose
+   * panels these are then.
+   */
   private async present(run: FinishedRun): Promise<string | null> {
-    // Drawing loads the exporter, which takes its time.
-    const lead = await this.result.show(run);
+    const lead = await this.result.show(run).catch((error: unknown) => {
+      console.error(error);
+      if (this.runner.running) return null;
+      this.leave('The nets were found, but not drawn.', '');
+      this.message.show(`The sheets of “${run.fileName}” could not be drawn`, 'Try it once more.');
+      return null;
+    });
     if (lead === null || this.runner.running) return null;
     this.workshop.finish(run.result);
     return lead;

@@ -1,0 +1,56 @@
+import type { ExportedFile, ExportInput } from './exporters.js';
+import type { WriterAnswer, WriterInput, WriterOrder } from './writer-worker.js';
+
+/**
+ * Writes one result, in a worker, because thousands of faces would keep the page for too long. The
+ * worker is started when first needed, and anew after it has died.
+ */
+export class ResultWriter {
+  private worker: Worker | null = null;
+  /** Ends the waiting for whatever the present worker has not written yet. */
+  private end = new AbortController();
+
+  constructor(private readonly input: ExportInput) {}
+
+  /** One sheet, counted from 0, as SVG. */
+  sheet(sheet: number): Promise<string> {
+    return this.order({ type: 'sheet', sheet });
+  }
+
+  /** All sheets in a format: pdf, svg or fold. */
+  file(format: string): Promise<ExportedFile> {
+    return this.order({ type: 'file', format });
+  }
+
+  /** Ends the worker; what was asked for and has not come is rejected. */
+  close(reason = 'The writer was closed'): void {
+    this.worker?.terminate();
+    this.worker = null;
+    this.end.abort(new Error(reason));
+    this.end = new AbortController();
+  }
+
+  private order<Content>(order: WriterOrder): Promise<Content> {
+    this.worker ??= this.start();
+    const { worker } = this;
+    const { signal } = this.end;
+    const { port1, port2 } = new MessageChannel();
+    return new Promise<Content>((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason as Error));
+      port1.onmessage = ({ data }: MessageEvent<WriterAnswer<Content>>) => {
+        port1.close();
+        if (data.type === 'written') resolve(data.content);
+        else reject(new Error(data.reason));
+      };
+      worker.postMessage(order, [port2]);
+    });
+  }
+
+  private start(): Worker {
+    const worker = new Worker(new URL('./writer-worker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('error', ({ message }) => this.close(message));
+    const first: WriterInput = { type: 'input', input: this.input };
+    worker.postMessage(first);
+    return worker;
+  }
+}
