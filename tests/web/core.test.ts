@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { EventThrottle } from '../../web/core/event-throttle.js';
+import { GenerationFilter } from '../../web/core/generation-filter.js';
 import { poolSize } from '../../web/core/pool-size.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
 import { TaskDesk } from '../../web/core/task-desk.js';
 import { buffersOf } from '../../web/core/transfer.js';
-import type { Stage } from '../../web/model/job.js';
+import type { JobEvent, Stage } from '../../web/model/job.js';
 
 describe('nextBudget', () => {
   it('approaches ten milliseconds', () => {
@@ -86,6 +87,36 @@ describe('EventThrottle', () => {
       expect(times.filter((other) => other >= time && other < time + 1000).length).toBeLessThan(11);
     }
     expect(times.length).toBeGreaterThanOrEqual(40);
+  });
+});
+
+describe('GenerationFilter', () => {
+  const generation = (number: number, part = 0): JobEvent => {
+    return { type: 'generation', part, generation: number, best: 0, overlaps: 1, hyperbolic: 0 };
+  };
+
+  it('swallows what a task that is run again tells again', () => {
+    const filter = new GenerationFilter();
+    const first = [generation(1), generation(2)];
+    expect(filter.newOf(7, first)).toEqual(first);
+    filter.restart(7);
+    // The job counts on: 3 and 4 are 1 and 2 again.
+    expect(filter.newOf(7, [generation(3)])).toEqual([]);
+    expect(filter.newOf(7, [generation(4), generation(5)])).toEqual([generation(3)]);
+    filter.restart(7);
+    const again = [generation(6), generation(7), generation(8), generation(9)];
+    expect(filter.newOf(7, again)).toEqual([generation(4)]);
+  });
+
+  it('numbers the other tasks of the part on, and leaves other parts alone', () => {
+    const filter = new GenerationFilter();
+    filter.newOf(7, [generation(1)]);
+    filter.restart(7);
+    filter.newOf(7, [generation(2)]);
+    expect(filter.newOf(8, [generation(3), generation(1, 1)])).toEqual([
+      generation(2),
+      generation(1, 1),
+    ]);
   });
 });
 

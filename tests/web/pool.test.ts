@@ -47,6 +47,20 @@ if (shared) {
 const solvers: Solver[] = ['tree', 'genetic'];
 const cases = models.flatMap(([name, bytes]) => solvers.map((solver) => ({ name, bytes, solver })));
 
+/** Hears that the generations of every part count up from 1. */
+class GenerationCount {
+  /** By part. */
+  readonly generations = new Map<number, number>();
+  pictures = 0;
+
+  readonly hear: Hear = (event) => {
+    if (event.type !== 'generation') return;
+    expect(event.generation).toBe((this.generations.get(event.part) ?? 0) + 1);
+    this.generations.set(event.part, event.generation);
+    if (event.net) ++this.pictures;
+  };
+}
+
 describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
   it.each(cases)('gives one result for $name by $solver', async ({ bytes, solver }) => {
     const one = await unfoldWith(1, bytes, { solver });
@@ -121,17 +135,23 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
     }));
 
   it.each(solvers)('tells every generation of every part by %s', async (solver) => {
-    const last = new Map<number, number>();
-    let pictures = 0;
-    const hear: Hear = (event) => {
-      if (event.type !== 'generation') return;
-      expect(event.generation).toBe((last.get(event.part) ?? 0) + 1);
-      last.set(event.part, event.generation);
-      if (event.net) ++pictures;
-    };
-    await withThreads(2, (pool) => unfold(pool, ring(10), { solver, parts: 6 }, hear));
-    expect(last.size).toBeGreaterThan(0);
-    expect(pictures).toBeGreaterThan(0);
+    const count = new GenerationCount();
+    await withThreads(2, (pool) => unfold(pool, ring(10), { solver, parts: 6 }, count.hear));
+    expect(count.generations.size).toBeGreaterThan(0);
+    expect(count.pictures).toBeGreaterThan(0);
+  });
+
+  it('tells no generation twice when workers die over searches', async () => {
+    const counts = [new GenerationCount(), new GenerationCount()];
+    for (const [times, count] of counts.entries()) {
+      const armed = (): boolean => count.generations.size > 0;
+      await withThreads(
+        2,
+        (pool) => unfold(pool, ring(10), { solver: 'genetic', parts: 6 }, count.hear),
+        { victim: 'helper', times, armed },
+      );
+    }
+    expect(counts[1]!.generations).toEqual(counts[0]!.generations);
   });
 
   it('never tells of less progress than before', async () => {

@@ -16,10 +16,13 @@ export interface Killing {
   victim: 'conductor' | 'helper';
   /** How many die, one after the other; the next ones live. */
   times: number;
+  /** Whether they may die now; by default at any time. */
+  armed?: () => boolean;
 }
 
 /** Whether this is what a victim says before it dies. */
-function isLastWord(answer: Answer, { victim }: Killing): boolean {
+function isLastWord(answer: Answer, { victim, armed }: Killing): boolean {
+  if (armed && !armed()) return false;
   if (victim === 'conductor') return answer.type === 'events';
   return answer.type === 'report' && answer.report.result === null;
 }

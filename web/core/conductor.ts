@@ -2,6 +2,7 @@ import type { JobEvent } from '../model/job.js';
 import type { Engine, WorkerHost } from './engine.js';
 import { EventThrottle } from './event-throttle.js';
 import type { Job } from './generated/foldwright.mjs';
+import { GenerationFilter } from './generation-filter.js';
 import { engineDied } from './job-error.js';
 import type {
   HelperRequest,
@@ -40,6 +41,7 @@ export class Conductor {
   private readonly job: Job;
   private readonly bench: TaskBench;
   private readonly desk = new TaskDesk();
+  private readonly filter = new GenerationFilter();
   private readonly clock = new StageClock(performance.now());
   private readonly throttle: EventThrottle;
   private helpersAsked = 0;
@@ -128,13 +130,15 @@ export class Conductor {
   }
 
   private hear({ task, status, result }: TaskReport): void {
-    this.tell(this.job.report(task, status));
+    this.tell(this.filter.newOf(task, this.job.report(task, status)));
     if (result && !this.finished) this.tell(this.job.complete(task, result));
   }
 
   private lose({ helper, reason }: LostRequest): void {
     const task = this.desk.leave(helper);
-    if (!task || task.deaths < mostDeaths) return;
+    if (!task) return;
+    this.filter.restart(task.id);
+    if (task.deaths < mostDeaths) return;
     const text = `The engine stopped unexpectedly ${mostDeaths} times at the same task: ${reason}`;
     this.tell([{ type: 'error', code: engineDied, text }]);
   }
