@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { runJob } from '../../web/core/client.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
@@ -158,5 +158,35 @@ describe('runJob with helpers', () => {
     await expect(run(pool, { signal })).rejects.toMatchObject({ name: 'TimeoutError' });
     expect(pool.workers).toHaveLength(1);
     await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
+  });
+});
+
+describe('a pool without jobs', () => {
+  const script: Script = { steps: [[progress(0.1)], done], tasks: 6, length: 40 };
+
+  // Messages between these workers do not wait for timers.
+  const stopTheClock = (): unknown => vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  afterEach(() => void vi.useRealTimers());
+
+  it('keeps its helpers for half a minute, and then one worker', async () => {
+    stopTheClock();
+    const { pool, spawned } = poolFor(script, 3);
+    await run(pool);
+    vi.advanceTimersByTime(29_999);
+    expect(pool.workers).toHaveLength(3);
+    vi.advanceTimersByTime(1);
+    expect(pool.workers).toHaveLength(1);
+    await run(pool);
+    expect([pool.workers.length, spawned.count]).toEqual([3, 5]);
+  });
+
+  it('begins to wait anew with every job', async () => {
+    stopTheClock();
+    const { pool } = poolFor(script, 3);
+    await run(pool);
+    vi.advanceTimersByTime(20_000);
+    await run(pool);
+    vi.advanceTimersByTime(20_000);
+    expect(pool.workers).toHaveLength(3);
   });
 });
