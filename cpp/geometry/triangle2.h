@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/box.h"
 #include "geometry/vec.h"
 
 namespace foldwright {
@@ -10,19 +11,10 @@ namespace foldwright {
 /// Triangle in the plane, corners counter-clockwise.
 using Triangle2 = std::array<Vec2, 3>;
 
-/// Axis-aligned box in the plane.
-struct Box2 {
-  double min_x, min_y, max_x, max_y;
-
-  bool meets(const Box2& other) const {
-    return min_x < other.max_x && other.min_x < max_x && min_y < other.max_y && other.min_y < max_y;
-  }
-};
-
 inline Box2 box_of(const Triangle2& t) {
   const auto [min_x, max_x] = std::minmax({t[0].x(), t[1].x(), t[2].x()});
   const auto [min_y, max_y] = std::minmax({t[0].y(), t[1].y(), t[2].y()});
-  return {min_x, min_y, max_x, max_y};
+  return {{min_x, min_y}, {max_x, max_y}};
 }
 
 /// Whether the interiors of two counter-clockwise triangles overlap by more than `tolerance`.

@@ -128,9 +128,12 @@ Hinge make_hinge(const Mesh& mesh, const DualGraph& graph, int e, std::array<int
                  std::span<const int> slot_of_face) {
   const Mesh::Edge& edge = mesh.edges[e];
   std::array<int, 2> faces = edge.faces;
+  // An edge runs counter-clockwise around its first face.
+  int start = 0;
   if (panels[0] > panels[1]) {
     std::swap(panels[0], panels[1]);
     std::swap(faces[0], faces[1]);
+    start = 1;
   }
   const auto corner = [&](int side, int end) {
     const Triangle2& triangle = graph.triangles[slot_of_face[faces[side]]];
@@ -141,7 +144,8 @@ Hinge make_hinge(const Mesh& mesh, const DualGraph& graph, int e, std::array<int
           {e},
           fold_angle(mesh, e),
           length,
-          motion_onto(corner(1, 0), corner(1, 1), corner(0, 0), corner(0, 1))};
+          motion_onto(corner(1, 0), corner(1, 1), corner(0, 0), corner(0, 1)),
+          {corner(0, start), corner(0, 1 - start)}};
 }
 
 // Edges this far off one line, in shares of the shorter one, are one hinge: folding both along it

@@ -21,6 +21,7 @@ struct Hinge {
   double angle;               ///< fold angle in radians: valley positive, mountain negative
   double length;              ///< model units
   RigidMotion2 lay;           ///< lays `panels[1]` beside `panels[0]`, in the latter's coordinates
+  std::array<Vec2, 2> line;   ///< of its first edge, in those: `panels[0]` lies on the left
 
   int other(int panel) const { return panels[0] == panel ? panels[1] : panels[0]; }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "unfold/directions.h"
 
@@ -11,11 +12,22 @@ namespace {
 // After so many accepted moves the layout is built anew, before rounding can pile up.
 constexpr std::int64_t kRefreshEvery = 2000;
 
+// Shares of the folding that are looked at first: most collisions come late.
+constexpr std::array<double, 5> kFirstLayers = {0.3, 0.6, 0.8, 0.9, 0.97};
+
+// The layers keep faces a little farther apart than the certificate asks, so that what is free of
+// collisions there can be told apart in between.
+constexpr double kSearchClearance = 0.8;
+
 }  // namespace
 
 TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options,
                        const FoldTree& initial)
     : graph_(&graph), options_(options), weights_(mesh, graph), random_(options.seed) {
+  if (options_.clearance > 0) {
+    foldable_ = make_foldable(graph, kSearchClearance * options_.clearance);
+    exact_ = make_foldable(graph, options_.clearance);
+  }
   if (initial.empty()) return;
   starts_done_ = options_.starts;
   consider(initial);
@@ -23,15 +35,21 @@ TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearc
 
 TreeSearch::State TreeSearch::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
-    if (starts_done_ < options_.starts) {
+    if (certificate_) {
+      const std::int64_t slice = std::min<std::int64_t>(work, 1000);
+      if (certificate_->step(slice) != Certificate::State::kRunning) judge_certificate();
+      work -= slice;
+    } else if (starts_done_ < options_.starts && best_overlaps_ != 0) {
       try_start();
       work -= graph_->panel_count();
-      continue;
+    } else if (!layout_) {
+      layout_.emplace(*graph_, best_);
+      note_progress();
+    } else {
+      // A touched panel costs some tenths of a microsecond in each layer.
+      work -= 1 + move() * (1 + layout_->layer_count()) / 4;
+      if (moves_ - best_move_ > options_.patience) state_ = State::kGaveUp;
     }
-    if (!layout_) layout_.emplace(*graph_, best_);
-    // A touched panel costs some tenths of a microsecond.
-    work -= 1 + move() / 4;
-    if (moves_ - best_move_ > options_.patience) state_ = State::kGaveUp;
   }
   return state_;
 }
@@ -51,16 +69,13 @@ void TreeSearch::consider(FoldTree folds) {
   if (best_overlaps_ != -1 && overlaps >= best_overlaps_) return;
   best_overlaps_ = overlaps;
   best_ = std::move(folds);
-  if (best_overlaps_ <= options_.good_enough) state_ = State::kFound;
+  if (overlaps <= options_.good_enough && (!foldable_ || overlaps > 0)) state_ = State::kFound;
 }
 
-/// A fold on the path between a random overlapping pair, more likely near its ends: cutting there
+/// A fold on the path between a random pair in conflict, more likely near its ends: cutting there
 /// moves few panels.
 int TreeSearch::choose_cut() {
-  const auto conflicted = layout_->conflicted();
-  const int a = conflicted[random_.below(static_cast<int>(conflicted.size()))];
-  const auto partners = layout_->partners(a);
-  const int b = partners[random_.below(static_cast<int>(partners.size()))];
+  const auto [a, b] = layout_->random_conflict(random_);
   layout_->path(a, b, path_);
   const int length = static_cast<int>(path_.size());
   int at = 0;
@@ -74,7 +89,7 @@ int TreeSearch::move() {
   const auto joins = layout_->joins();
   if (joins.empty()) return 1;
   const int join = joins[random_.below(static_cast<int>(joins.size()))];
-  const int old = layout_->crossing_overlaps();
+  const int old = layout_->crossing_conflicts();
   // 1 - u lies in (0, 1], so the logarithm is finite.
   const double limit = old - options_.temperature * std::log(1 - random_.uniform());
   const int now = layout_->try_join(join, limit);
@@ -82,18 +97,80 @@ int TreeSearch::move() {
   if (now > limit) return touched;
   layout_->accept();
   if (++accepted_ % kRefreshEvery == 0) layout_->refresh();
-  if (layout_->overlap_count() < best_overlaps_) note_best();
+  note_progress();
   return 2 * touched;
 }
 
-void TreeSearch::note_best() {
-  // A net counts only when the tree laid out anew has no overlap either.
-  if (layout_->overlap_count() == 0) layout_->refresh();
-  if (layout_->overlap_count() >= best_overlaps_) return;
-  best_overlaps_ = layout_->overlap_count();
-  best_ = layout_->folds();
+/// Looks whether the tree that was just reached is a new best.
+void TreeSearch::note_progress() {
+  if (least_conflicts_ != -1 && layout_->conflict_count() >= least_conflicts_) return;
+  // A net counts only when the tree laid out anew has no conflict either.
+  if (layout_->conflict_count() == 0 && moves_ > 0) layout_->refresh();
+  least_conflicts_ = layout_->conflict_count();
   best_move_ = moves_;
-  if (best_overlaps_ <= options_.good_enough) state_ = State::kFound;
+  note_best();
+  if (least_conflicts_ == 0) {
+    finish_or_fold();
+  } else if (least_conflicts_ <= options_.good_enough) {
+    state_ = State::kFound;
+  }
+}
+
+void TreeSearch::note_best() {
+  const auto now = std::pair(layout_->overlap_count(), layout_->collision_count());
+  if (best_overlaps_ != -1 && now > std::pair(best_overlaps_, best_collisions_)) return;
+  std::tie(best_overlaps_, best_collisions_) = now;
+  best_ = layout_->folds();
+}
+
+/// The tree has no conflict in the layers there are.
+void TreeSearch::finish_or_fold() {
+  if (!foldable_) {
+    state_ = State::kFound;
+  } else if (layers_.empty()) {
+    add_layers(kFirstLayers);
+  } else {
+    certificate_.emplace(*exact_, best_, straight_leg(*graph_));
+  }
+}
+
+void TreeSearch::judge_certificate() {
+  const bool certified = certificate_->state() == Certificate::State::kCertified;
+  const std::vector<double> counterexamples = certificate_->counterexamples();
+  certificate_.reset();
+  if (certified) {
+    state_ = State::kFound;
+  } else if (!add_layers(counterexamples)) {
+    state_ = State::kGaveUp;
+  }
+}
+
+/// Looks at more shares of the folding; false when it did at all of them already.
+bool TreeSearch::add_layers(std::span<const double> shares) {
+  bool added = false;
+  for (const double share : shares) {
+    if (std::find(layers_.begin(), layers_.end(), share) != layers_.end()) continue;
+    layers_.push_back(share);
+    layout_->add_layer(*foldable_, share);
+    added = true;
+  }
+  best_collisions_ = layout_->collision_count();
+  least_conflicts_ = -1;
+  note_progress();
+  return added;
+}
+
+int TreeSearch::shortfall() const {
+  // A net whose motion is not certified yet is one short at least.
+  return state_ == State::kFound && options_.good_enough == 0
+             ? 0
+             : std::max(best_overlaps_ + best_collisions_, foldable_ ? 1 : 0);
+}
+
+std::vector<std::array<int, 2>> TreeSearch::conflicts() const {
+  MovingLayout layout(*graph_, best_);
+  for (const double share : layers_) layout.add_layer(*foldable_, share);
+  return layout.conflicts();
 }
 
 double TreeSearch::impatience() const {

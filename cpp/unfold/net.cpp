@@ -102,14 +102,14 @@ int count_overlaps(std::span<const Triangle2> triangles, double unit) {
   std::vector<int> by_left(triangles.size());
   std::iota(by_left.begin(), by_left.end(), 0);
   std::sort(by_left.begin(), by_left.end(), [&](int a, int b) {
-    return boxes[a].min_x != boxes[b].min_x ? boxes[a].min_x < boxes[b].min_x : a < b;
+    return boxes[a].min[0] != boxes[b].min[0] ? boxes[a].min[0] < boxes[b].min[0] : a < b;
   });
   int overlaps = 0;
   for (std::size_t i = 0; i < by_left.size(); ++i) {
     const int a = by_left[i];
     for (std::size_t j = i + 1; j < by_left.size(); ++j) {
       const int b = by_left[j];
-      if (boxes[b].min_x >= boxes[a].max_x) break;
+      if (boxes[b].min[0] >= boxes[a].max[0]) break;
       if (!boxes[a].meets(boxes[b])) continue;
       // A strip as deep as the layout's tolerance along the longer of the two.
       const double reach = std::max(longest_edge(triangles[a]), longest_edge(triangles[b]));

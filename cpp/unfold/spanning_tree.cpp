@@ -47,4 +47,16 @@ RootedTree hang_tree(const DualGraph& graph, std::span<const int> folds, int roo
   return tree;
 }
 
+int tree_centre(const DualGraph& graph, std::span<const int> folds) {
+  // The middle of a longest path, whose ends two breadth-first searches find.
+  const RootedTree from_any = hang_tree(graph, folds);
+  const RootedTree from_end = hang_tree(graph, folds, from_any.order.back());
+  std::vector<int> path;
+  for (int panel = from_end.order.back(); panel != -1; panel = from_end.parent[panel]) {
+    path.push_back(panel);
+  }
+  const std::size_t middle = path.size() / 2;
+  return path.size() % 2 == 1 ? path[middle] : std::min(path[middle - 1], path[middle]);
+}
+
 }  // namespace foldwright

@@ -25,4 +25,8 @@ struct RootedTree {
 /// \pre `folds` spans the graph
 RootedTree hang_tree(const DualGraph& graph, std::span<const int> folds, int root = 0);
 
+/// The panel from which the farthest other one is the fewest folds away; of two the lower. Linear.
+/// \pre `folds` spans the graph
+int tree_centre(const DualGraph& graph, std::span<const int> folds);
+
 }  // namespace foldwright

@@ -59,8 +59,8 @@ TEST(MeetingBoxes, MayLieFarApart) {
   std::vector<Box2> boxes = random_boxes(random, 50, 0.1);
   for (int i = 0; i < 50; ++i) {
     Box2 far = boxes[i];
-    far.min_x += 1e9;
-    far.max_x += 1e9;
+    far.min[0] += 1e9;
+    far.max[0] += 1e9;
     boxes.push_back(far);
   }
   expect_all_pairs(boxes);

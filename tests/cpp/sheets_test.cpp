@@ -25,8 +25,8 @@ Net rectangle(double width, double height) {
 Box2 box_of(const Net& net) {
   Box2 box{1e300, 1e300, -1e300, -1e300};
   for (const Vec2& p : net.vertices) {
-    box = {std::min(box.min_x, p.x()), std::min(box.min_y, p.y()), std::max(box.max_x, p.x()),
-           std::max(box.max_y, p.y())};
+    box = {std::min(box.min[0], p.x()), std::min(box.min[1], p.y()), std::max(box.max[0], p.x()),
+           std::max(box.max[1], p.y())};
   }
   return box;
 }
@@ -34,7 +34,7 @@ Box2 box_of(const Net& net) {
 /// The box of a net on its sheet.
 Box2 placed(const Net& net, const Placement& place) {
   const Box2 box = box_of(net);
-  return {place.x + box.min_x, place.y + box.min_y, place.x + box.max_x, place.y + box.max_y};
+  return {place.x + box.min[0], place.y + box.min[1], place.x + box.max[0], place.y + box.max[1]};
 }
 
 double net_area(const Net& net) {
@@ -54,18 +54,18 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
     ASSERT_GE(layout.placements[i].sheet, 0);
     ASSERT_LT(layout.placements[i].sheet, layout.sheet_count);
     used[layout.placements[i].sheet] = 1;
-    EXPECT_NEAR(box_of(nets[i]).min_x, 0, 1e-9);
-    EXPECT_NEAR(box_of(nets[i]).min_y, 0, 1e-9);
+    EXPECT_NEAR(box_of(nets[i]).min[0], 0, 1e-9);
+    EXPECT_NEAR(box_of(nets[i]).min[1], 0, 1e-9);
     const Box2 box = placed(nets[i], layout.placements[i]);
-    EXPECT_GE(box.min_x, least);
-    EXPECT_GE(box.min_y, least);
-    EXPECT_LE(box.max_x, layout.sheet_width - least);
-    EXPECT_LE(box.max_y, layout.sheet_height - least);
+    EXPECT_GE(box.min[0], least);
+    EXPECT_GE(box.min[1], least);
+    EXPECT_LE(box.max[0], layout.sheet_width - least);
+    EXPECT_LE(box.max[1], layout.sheet_height - least);
     for (std::size_t j = 0; j < i; ++j) {
       if (layout.placements[i].sheet != layout.placements[j].sheet) continue;
       Box2 other = placed(nets[j], layout.placements[j]);
       const double gap = options.gap - 1e-6;
-      other = {other.min_x - gap, other.min_y - gap, other.max_x + gap, other.max_y + gap};
+      other = {other.min[0] - gap, other.min[1] - gap, other.max[0] + gap, other.max[1] + gap};
       EXPECT_FALSE(box.meets(other)) << i << " and " << j;
     }
   }
@@ -112,10 +112,10 @@ TEST(LayOnSheets, MakesTheLargestNetJustFit) {
   const SheetLayout layout = lay_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
   EXPECT_NEAR(layout.scale, 100, 1e-6);
   const Box2 box = placed(nets[0], layout.placements[0]);
-  EXPECT_NEAR(box.min_x, 10, 1e-6);
-  EXPECT_NEAR(box.max_x, 110, 1e-6);
-  EXPECT_NEAR(box.min_y, 10, 1e-6);
-  EXPECT_NEAR(box.max_y, 210, 1e-6);
+  EXPECT_NEAR(box.min[0], 10, 1e-6);
+  EXPECT_NEAR(box.max[0], 110, 1e-6);
+  EXPECT_NEAR(box.min[1], 10, 1e-6);
+  EXPECT_NEAR(box.max[1], 210, 1e-6);
 }
 
 TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {

@@ -132,10 +132,10 @@ TEST(Triangles, IntersectionAreaByHand) {
 
 TEST(Box2, EnclosesATriangleAndMeetsByItsInside) {
   const Box2 box = box_of({Vec2(1, 2), Vec2(4, 0), Vec2(3, 5)});
-  EXPECT_EQ(box.min_x, 1);
-  EXPECT_EQ(box.min_y, 0);
-  EXPECT_EQ(box.max_x, 4);
-  EXPECT_EQ(box.max_y, 5);
+  EXPECT_EQ(box.min[0], 1);
+  EXPECT_EQ(box.min[1], 0);
+  EXPECT_EQ(box.max[0], 4);
+  EXPECT_EQ(box.max[1], 5);
   EXPECT_TRUE(box.meets({3.9, 4.9, 9, 9}));
   EXPECT_FALSE(box.meets({4, 0, 9, 9}));
 }

@@ -1,0 +1,98 @@
+#include "geometry/triangle3.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace foldwright {
+namespace {
+
+/// Calls `visit(axis)` for directions along which disjoint triangles are apart, likely ones first,
+/// until it returns true. Axes are not normalised and may vanish.
+template <class Visit>
+void for_axes(const Triangle3& a, const Triangle3& b, Visit&& visit) {
+  const std::array<Vec3, 3> edges_a = {a[1] - a[0], a[2] - a[1], a[0] - a[2]};
+  const std::array<Vec3, 3> edges_b = {b[1] - b[0], b[2] - b[1], b[0] - b[2]};
+  const Vec3 normal_a = edges_a[0].cross(edges_a[1]);
+  const Vec3 normal_b = edges_b[0].cross(edges_b[1]);
+  if (visit(normal_a) || visit(normal_b)) return;
+  for (int i = 0; i < 3; ++i) {
+    if (visit(edges_a[i].cross(normal_a)) || visit(edges_b[i].cross(normal_b))) return;
+  }
+  for (const Vec3& edge_a : edges_a) {
+    for (const Vec3& edge_b : edges_b) {
+      if (visit(edge_a.cross(edge_b))) return;
+    }
+  }
+}
+
+/// Gap between the projections on an axis, in units of its length; negative when they meet.
+double gap_along(const Vec3& axis, const Triangle3& a, const Triangle3& b) {
+  // Relative to a corner, which keeps the rounding small far from the origin.
+  const double a1 = axis.dot(a[1] - a[0]);
+  const double a2 = axis.dot(a[2] - a[0]);
+  const double b0 = axis.dot(b[0] - a[0]);
+  const double b1 = axis.dot(b[1] - a[0]);
+  const double b2 = axis.dot(b[2] - a[0]);
+  const double low_a = std::min({0.0, a1, a2});
+  const double high_a = std::max({0.0, a1, a2});
+  const double low_b = std::min({b0, b1, b2});
+  const double high_b = std::max({b0, b1, b2});
+  return std::max(low_b - high_a, low_a - high_b);
+}
+
+}  // namespace
+
+Box3 box_of(const Triangle3& t) {
+  Box3 box;
+  for (int i = 0; i < 3; ++i) {
+    box.min[i] = std::min({t[0][i], t[1][i], t[2][i]});
+    box.max[i] = std::max({t[0][i], t[1][i], t[2][i]});
+  }
+  return box;
+}
+
+Triangle3 moved(const RigidMotion3& motion, const Triangle2& t) {
+  const Eigen::Matrix3d r = motion.r.toRotationMatrix();
+  const auto place = [&](const Vec2& p) -> Vec3 {
+    return r.col(0) * p.x() + r.col(1) * p.y() + motion.t;
+  };
+  return {place(t[0]), place(t[1]), place(t[2])};
+}
+
+Triangle3 moved(const RigidMotion3& motion, const Triangle3& t) {
+  const Eigen::Matrix3d r = motion.r.toRotationMatrix();
+  return {r * t[0] + motion.t, r * t[1] + motion.t, r * t[2] + motion.t};
+}
+
+Triangle2 eroded(const Triangle2& t, double depth, double least) {
+  const std::array<double, 3> opposite = {(t[2] - t[1]).norm(), (t[0] - t[2]).norm(),
+                                          (t[1] - t[0]).norm()};
+  const double perimeter = opposite[0] + opposite[1] + opposite[2];
+  const Vec2 incentre =
+      (opposite[0] * t[0] + opposite[1] * t[1] + opposite[2] * t[2]) / perimeter;
+  const double inradius = std::abs(cross(t[1] - t[0], t[2] - t[0])) / perimeter;
+  const double scale = std::max(least, 1 - depth / inradius);
+  Triangle2 smaller;
+  for (int i = 0; i < 3; ++i) smaller[i] = incentre + scale * (t[i] - incentre);
+  return smaller;
+}
+
+bool triangles_meet(const Triangle3& a, const Triangle3& b) {
+  bool apart = false;
+  for_axes(a, b, [&](const Vec3& axis) { return apart = gap_along(axis, a, b) > 0; });
+  return !apart;
+}
+
+double separation(const Triangle3& a, const Triangle3& b, double enough) {
+  double best = -std::numeric_limits<double>::infinity();
+  const auto try_axis = [&](const Vec3& axis) {
+    const double length = axis.norm();
+    if (length > 0) best = std::max(best, gap_along(axis, a, b) / length);
+    return best > enough;
+  };
+  const Vec3 between = (b[0] + b[1] + b[2] - a[0] - a[1] - a[2]) / 3;
+  if (!try_axis(between)) for_axes(a, b, try_axis);
+  return best;
+}
+
+}  // namespace foldwright

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "unfold/spanning_tree.h"
+
+namespace foldwright {
+
+/// A fold tree kept under swaps: one fold is cut, and the smaller side hung at another hinge.
+class MovingTree {
+ public:
+  /// `graph` must outlive this object. \pre `folds` spans it
+  MovingTree(const DualGraph& graph, std::span<const int> folds);
+
+  FoldTree folds() const;
+  bool is_fold(int hinge) const { return is_fold_[hinge] != 0; }
+
+  /// Folds on the way from panel `a` to panel `b`, in that order.
+  void path(int a, int b, std::vector<int>& folds);
+
+  /// Splits the tree at fold `cut` and selects the smaller side as the one to move. Linear in it.
+  void select_side(int cut);
+  /// Panels of the side that moves.
+  std::span<const int> selected() const { return selected_; }
+  bool moves(int panel) const { return side_stamp_[panel] == side_; }
+  /// Hinges that could replace the cut: all others between the two sides.
+  std::span<const int> joins() const { return joins_; }
+
+  /// The two ends of a join: the panel that moves, and the one it is hung onto.
+  struct Ends {
+    int hung, onto;
+  };
+  Ends ends(int join) const;
+
+  /// Replaces the cut by `join`.
+  void accept(int join);
+
+ private:
+  void reverse_parents(int from, int to_parent, int join);
+
+  const DualGraph* graph_;
+  std::vector<int> parent_, parent_fold_;
+  std::vector<char> is_fold_;
+  int cut_ = -1;
+  std::vector<int> selected_;
+  std::vector<int> joins_;
+  std::vector<int> other_side_;
+  std::vector<std::uint32_t> side_stamp_;
+  std::uint32_t side_ = 0;           ///< stamp of the selected side
+  std::uint32_t next_side_ = 0;      ///< last stamp given out
+  std::vector<std::uint32_t> mark_;  ///< per panel, for paths
+  std::uint32_t path_ = 0;
+};
+
+}  // namespace foldwright
