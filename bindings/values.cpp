@@ -26,6 +26,15 @@ constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge
 constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kMerge},
                                            {"spectral", Segmenter::kSpectral}};
 constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver::kGenetic}};
+constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
+                                               {"prefer", FoldingMode::kPrefer},
+                                               {"require", FoldingMode::kRequire}};
+constexpr Name<Cause> kCauses[] = {
+    {"part", Cause::kPart}, {"no-net", Cause::kNoNet}, {"no-motion", Cause::kNoMotion}};
+constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
+                                       {"no", Folding::kNone},
+                                       {"line", Folding::kLine},
+                                       {"waypoints", Folding::kWaypoints}};
 constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
                                                {"portrait", Orientation::kPortrait},
                                                {"landscape", Orientation::kLandscape}};
@@ -37,6 +46,14 @@ Enum from_name(std::span<const Name<Enum>> names, const val& value) {
     if (text == name.text) return name.value;
   }
   throw std::invalid_argument("unknown word in the options: " + text);
+}
+
+template <class Enum>
+std::string name_of(std::span<const Name<Enum>> names, Enum value) {
+  for (const auto& name : names) {
+    if (value == name.value) return name.text;
+  }
+  throw std::logic_error("a value without a name");
 }
 
 template <class T>
@@ -89,6 +106,12 @@ val model_value(const JobResult& result) {
   return object;
 }
 
+/// Fold angle of an edge as the page has it: NaN for a cut.
+double degrees(const NetEdge& edge, double radians) {
+  return edge.assignment == Assignment::kCut ? std::numeric_limits<double>::quiet_NaN()
+                                             : radians * 180 / std::numbers::pi;
+}
+
 void set_edges(val& object, const Net& net) {
   std::vector<int> ends, mesh_edges;
   std::vector<double> angles;
@@ -97,13 +120,26 @@ void set_edges(val& object, const Net& net) {
     ends.insert(ends.end(), edge.vertices.begin(), edge.vertices.end());
     mesh_edges.push_back(edge.mesh_edge);
     assignments.push_back(static_cast<char>(edge.assignment));
-    angles.push_back(edge.assignment == Assignment::kCut ? std::numeric_limits<double>::quiet_NaN()
-                                                         : edge.angle * 180 / std::numbers::pi);
+    angles.push_back(degrees(edge, edge.angle));
   }
   object.set("edges", ints(ends));
   object.set("assignments", assignments);
   object.set("foldAngles", doubles(angles));
   object.set("modelEdges", ints(mesh_edges));
+}
+
+val motion_value(const Piece& piece) {
+  std::vector<double> angles;
+  for (const std::vector<double>& key : piece.motion.angles) {
+    for (std::size_t i = 0; i < key.size(); ++i) {
+      angles.push_back(degrees(piece.net.edges[i], key[i]));
+    }
+  }
+  val object = val::object();
+  object.set("root", piece.motion.root);
+  object.set("times", doubles(piece.motion.times));
+  object.set("angles", doubles(angles));
+  return object;
 }
 
 val piece_value(const Piece& piece, int id, const Placement& place) {
@@ -118,7 +154,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   val object = val::object();
   object.set("id", id);
   object.set("part", piece.part);
-  object.set("cause", std::string(piece.cause == Cause::kPart ? "part" : "no-net"));
+  object.set("cause", name_of<Cause>(kCauses, piece.cause));
   object.set("overlaps", piece.check.overlaps);
   object.set("width", size.x());
   object.set("height", size.y());
@@ -126,6 +162,8 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("faces", ints(flat(net.corners)));
   object.set("sources", ints(net.faces));
   set_edges(object, net);
+  object.set("foldable", name_of<Folding>(kFoldings, piece.motion.kind));
+  if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
@@ -278,6 +316,8 @@ JobOptions options_from(const val& object) {
   options.heuristic = from_name<Heuristic>(kHeuristics, object["heuristic"]);
   options.segmenter = from_name<Segmenter>(kSegmenters, object["segment"]);
   options.solver = from_name<Solver>(kSolvers, object["solver"]);
+  options.folding = from_name<FoldingMode>(kFoldingModes, object["folding"]);
+  options.clearance = object["clearance"].as<double>();
   options.runs = object["runs"].as<int>();
   options.proxy = object["proxy"].as<int>();
   options.seed = object["seed"].as<std::uint32_t>();

@@ -60,6 +60,15 @@ std::vector<double> fold_angles(const DualGraph& graph, double share) {
   return angles;
 }
 
+std::vector<double> fold_angles(const DualGraph& graph, const FoldTree& folds,
+                                std::span<const double> shares) {
+  std::vector<double> angles(graph.hinges.size(), 0);
+  for (std::size_t i = 0; i < folds.size(); ++i) {
+    angles[folds[i]] = shares[i] * graph.hinges[folds[i]].angle;
+  }
+  return angles;
+}
+
 std::vector<std::array<int, 2>> colliding_panels(const Foldable& foldable, const RootedTree& tree,
                                                  const FoldedLayout& layout) {
   const DualGraph& graph = *foldable.graph;
@@ -82,6 +91,21 @@ std::vector<std::array<int, 2>> colliding_panels(const Foldable& foldable, const
   std::sort(collisions.begin(), collisions.end());
   collisions.erase(std::unique(collisions.begin(), collisions.end()), collisions.end());
   return collisions;
+}
+
+bool meets_itself(const Foldable& foldable) {
+  const DualGraph& graph = *foldable.graph;
+  // Any tree folds up to the model.
+  const std::vector<double> weights(graph.hinges.size(), 0);
+  const RootedTree tree = hang_tree(graph, minimum_spanning_tree(graph, weights));
+  const auto meeting =
+      colliding_panels(foldable, tree, fold_up(foldable, tree, fold_angles(graph, 1)));
+  return std::any_of(meeting.begin(), meeting.end(), [&](const std::array<int, 2>& pair) {
+    const auto hinges = graph.hinges_of(pair[0]);
+    return std::none_of(hinges.begin(), hinges.end(), [&](int h) {
+      return graph.hinges[h].other(pair[0]) == pair[1];
+    });
+  });
 }
 
 }  // namespace foldwright

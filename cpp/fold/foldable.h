@@ -39,9 +39,16 @@ FoldedLayout fold_up(const Foldable& foldable, const RootedTree& tree,
 /// Each hinge's angle in the model, times `share`: 0 is flat, 1 the model.
 std::vector<double> fold_angles(const DualGraph& graph, double share);
 
+/// The same with a share for each fold of a tree; 0 for cut hinges.
+std::vector<double> fold_angles(const DualGraph& graph, const FoldTree& folds,
+                                std::span<const double> shares);
+
 /// All pairs of panels (a, b), a < b, of which faces meet, eroded as `foldable` has them, sorted.
 /// Panels joined by a fold of the tree are no pair: a hinge keeps them together.
 std::vector<std::array<int, 2>> colliding_panels(const Foldable& foldable, const RootedTree& tree,
                                                  const FoldedLayout& layout);
+
+/// Whether faces meet in the model itself that no hinge joins: then no motion can be certified.
+bool meets_itself(const Foldable& foldable);
 
 }  // namespace foldwright

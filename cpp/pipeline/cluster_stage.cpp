@@ -1,5 +1,6 @@
 #include "pipeline/matrix_picture.h"
 #include "pipeline/stage.h"
+#include "segment/curvature_pockets.h"
 
 namespace foldwright {
 namespace {
@@ -13,8 +14,9 @@ Labels label_component(const JobState& state, Component& component) {
   const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
   const SegmentOptions options = {state.options.segmenter, component.parts, state.options.seed};
   Labels on_learned = segment(learned.surface->mesh, graph, learned.matrix, options);
-  component.labels = carry_labels(state.surface->mesh, component.graph,
-                                  {learned.matrix, learned.rows}, on_learned);
+  component.labels = open_pockets(state.surface->mesh, component.graph,
+                                  carry_labels(state.surface->mesh, component.graph,
+                                               {learned.matrix, learned.rows}, on_learned));
   return on_learned;
 }
 

@@ -17,6 +17,8 @@ void check(bool valid, const std::string& name, const std::string& range) {
 void check_options(const JobOptions& options) {
   check(options.parts >= 0, "parts", "auto or at least 1");
   check(options.runs >= 1 && options.runs <= 65535, "runs", "from 1 to 65535");
+  // Less is lost in the rounding of coordinates; more erodes all faces by as much as they may be.
+  check(options.clearance >= 1e-4 && options.clearance <= 0.2, "clearance", "from 0.0001 to 0.2");
   check(options.proxy >= 0, "proxy", "0 or more");
   // A closed surface has at least four faces.
   check(options.faces == 0 || options.faces >= 4, "faces", "at least 4");

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include "paper/outline.h"
 #include "paper/sheets.h"
 #include "pipeline/stage.h"
@@ -19,6 +22,29 @@ std::vector<int> source_segmentation(const JobState& state) {
   return segmentation;
 }
 
+/// The motion of a net's folds as one of its edges.
+PieceMotion make_motion(const DualGraph& graph, const FoundNet& found, const Net& net) {
+  PieceMotion motion;
+  motion.kind = found.motion.kind;
+  motion.times = found.motion.times;
+  const int root = graph.panel_faces(tree_centre(graph, found.folds))[0];
+  motion.root = static_cast<int>(std::ranges::lower_bound(net.faces, root) - net.faces.begin());
+  std::map<int, std::size_t> fold_of_edge;
+  for (std::size_t fold = 0; fold < found.folds.size(); ++fold) {
+    for (const int e : graph.hinges[found.folds[fold]].edges) fold_of_edge[e] = fold;
+  }
+  for (const std::vector<double>& shares : found.motion.shares) {
+    std::vector<double>& angles = motion.angles.emplace_back();
+    for (const NetEdge& edge : net.edges) {
+      // Edges within a panel stay as flat as they are.
+      const auto fold = fold_of_edge.find(edge.mesh_edge);
+      const bool folds = edge.assignment != Assignment::kCut && fold != fold_of_edge.end();
+      angles.push_back(folds ? shares[fold->second] * edge.angle : 0);
+    }
+  }
+  return motion;
+}
+
 Piece make_piece(const JobState& state, const FoundNet& found) {
   const DualGraph graph =
       restrict_to(state.components[found.region.component].graph, found.region.panels);
@@ -26,7 +52,9 @@ Piece make_piece(const JobState& state, const FoundNet& found) {
               found.region.cause,
               make_net(state.surface->mesh, graph, found.folds),
               {},
+              {},
               {}};
+  piece.motion = make_motion(graph, found, piece.net);
   piece.check = check_net(state.surface->mesh, piece.net);
   piece.outlines = boundary_walks(piece.net);
   return piece;

@@ -12,9 +12,10 @@ class Dump {
   void add(std::integral auto value) { word(static_cast<std::uint64_t>(value)); }
   void add(double value) { word(std::bit_cast<std::uint64_t>(value)); }
   void add(const Vec2& p) { add(p.x()), add(p.y()); }
-  void add(const std::vector<int>& values) {
+  template <class T>
+  void add(const std::vector<T>& values) {
     add(values.size());
-    for (const int value : values) add(value);
+    for (const T value : values) add(value);
   }
 
   std::string take() { return std::move(bytes_); }
@@ -37,6 +38,10 @@ void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
     dump.add(edge.angle);
   }
   for (const Vec2& p : piece.net.vertices) dump.add(p);
+  dump.add(static_cast<int>(piece.motion.kind));
+  dump.add(piece.motion.root);
+  dump.add(piece.motion.times);
+  for (const std::vector<double>& angles : piece.motion.angles) dump.add(angles);
   dump.add(place.sheet);
   dump.add(place.x);
   dump.add(place.y);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fold/motion.h"
 #include "mesh/repair.h"
 #include "paper/sheets.h"
 #include "unfold/net.h"
@@ -16,8 +17,16 @@ struct Notice {
   std::string text;  ///< one sentence
 };
 
-/// Why a piece exists: it is a whole part, or a share of a part that has no net.
-enum class Cause { kPart, kNoNet };
+/// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that folds.
+enum class Cause { kPart, kNoNet, kNoMotion };
+
+/// The motion that folds a net up.
+struct PieceMotion {
+  Folding kind = Folding::kUnchecked;
+  int root = 0;  ///< the face of the net that stays; in the middle of the tree
+  std::vector<double> times;                ///< of the keys, from 0 to 1; empty without a motion
+  std::vector<std::vector<double>> angles;  ///< radians per key and edge of the net; 0 for cuts
+};
 
 /// One net on paper.
 struct Piece {
@@ -25,6 +34,7 @@ struct Piece {
   Cause cause = Cause::kPart;
   Net net;  ///< millimetres; its box starts at (0, 0)
   NetCheck check;
+  PieceMotion motion;
   std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
 };
 

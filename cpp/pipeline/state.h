@@ -39,12 +39,15 @@ struct Region {
   int part = 0;
   Cause cause = Cause::kPart;
   std::vector<int> panels;  ///< of the component's graph, ascending
+  /// Its faces meet in the model itself, so that no motion can be certified.
+  bool meets_itself = false;
 };
 
 /// A region and the fold tree that makes it a net.
 struct FoundNet {
   Region region;
   FoldTree folds;  ///< of the graph restricted to the region
+  FoldMotion motion;
 };
 
 /// What the stages of a job hand on to each other.

@@ -57,6 +57,10 @@ TaskRunner::TaskRunner(Task task)
           [&](const ExchangeTask& exchange) {
             run_.emplace<BorderExchange>(mesh, graph_, exchange.parts, exchange.options);
           },
+          [&](const PlanTask& plan) {
+            foldable_ = make_foldable(graph_, plan.clearance);
+            run_.emplace<MotionPlanner>(*foldable_, plan.folds, plan.seed);
+          },
       },
       task_.work);
 }
@@ -83,6 +87,7 @@ bool TaskRunner::step(std::int64_t work) {
             }
             return search.state() != GeneticSearch::State::kRunning;
           },
+          [&](MotionPlanner& planner) { return planner.step(work); },
           [&](auto& search) { return search.step(work) != decltype(search.step(0))::kRunning; },
       },
       run_);
@@ -100,6 +105,7 @@ void TaskRunner::note_generation() {
   std::visit(Overloaded{
                  [](std::monostate) {},
                  [](const FoldabilityLearner&) {},
+                 [](const MotionPlanner&) {},
                  [&](const GeneticSearch& search) {
                    note(search.generation(), {search.best_value(), search.best_fitness().overlaps,
                                               search.best_fitness().hyperbolic});
@@ -109,9 +115,9 @@ void TaskRunner::note_generation() {
                         {-static_cast<double>(search.best_overlaps()), search.best_overlaps(), 0});
                  },
                  [&](const BorderExchange& exchange) {
-                   if (exchange.overlaps() < 0) return;  // its first search is under way
+                   if (exchange.shortfall() < 0) return;  // its first search is under way
                    note(1 + exchange.moves() / kMovesPerBatch,
-                        {-static_cast<double>(exchange.overlaps()), exchange.overlaps(), 0});
+                        {-static_cast<double>(exchange.shortfall()), exchange.shortfall(), 0});
                  },
              },
              run_);
@@ -137,6 +143,8 @@ TaskStatus TaskRunner::status(bool with_net) {
     status.progress = genetic->progress();
   } else if (const auto* exchange = std::get_if<BorderExchange>(&run_)) {
     status.progress = exchange->progress();
+  } else if (const auto* planner = std::get_if<MotionPlanner>(&run_)) {
+    status.progress = planner->progress();
   }
   const FoldTree* tree = with_net ? best_tree() : nullptr;
   const bool spans = tree != nullptr && static_cast<int>(tree->size()) + 1 == graph_.panel_count();
@@ -147,15 +155,19 @@ TaskStatus TaskRunner::status(bool with_net) {
 TaskResult TaskRunner::result() const {
   if (const auto* learner = std::get_if<FoldabilityLearner>(&run_)) return learner->counts();
   if (const auto* tree = std::get_if<TreeSearch>(&run_)) {
-    return SearchResult{tree->best(), tree->best_overlaps(), tree->moves(), 0};
+    const bool is_found = tree->state() == TreeSearch::State::kFound;
+    const bool folds = std::get<SearchTask>(task_.work).options.clearance > 0;
+    return SearchResult{tree->best(),  tree->best_overlaps(), tree->shortfall(),
+                        is_found && folds, tree->moves(),     0};
   }
   if (const auto* genetic = std::get_if<GeneticSearch>(&run_)) {
-    return SearchResult{genetic->best(), genetic->best_fitness().overlaps, 0,
-                        genetic->generation()};
+    const int overlaps = genetic->best_fitness().overlaps;
+    return SearchResult{genetic->best(), overlaps, overlaps, false, 0, genetic->generation()};
   }
+  if (const auto* planner = std::get_if<MotionPlanner>(&run_)) return PlanResult{planner->motion()};
   const auto& exchange = std::get<BorderExchange>(run_);
-  return ExchangeResult{exchange.overlaps() == 0, exchange.labels(), exchange.trees(),
-                        exchange.overlaps_of(), exchange.moves()};
+  return ExchangeResult{exchange.shortfall() == 0, exchange.labels(), exchange.trees(),
+                        exchange.shortfalls(), exchange.moves()};
 }
 
 }  // namespace foldwright

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "fold/planner.h"
 #include "search/border_exchange.h"
 #include "search/genetic_search.h"
 #include "search/tree_search.h"
@@ -40,7 +41,14 @@ struct ExchangeTask {
   ExchangeOptions options;
 };
 
-using Work = std::variant<LearnTask, SearchTask, GeneticTask, ExchangeTask>;
+/// Planning a motion of a given net.
+struct PlanTask {
+  FoldTree folds;
+  double clearance;
+  std::uint64_t seed;
+};
+
+using Work = std::variant<LearnTask, SearchTask, GeneticTask, ExchangeTask, PlanTask>;
 
 /// A unit of parallel work as a plain value: any instance of the engine that has the surface can
 /// run it and gets the same result.
@@ -54,17 +62,22 @@ struct Task {
 struct SearchResult {
   FoldTree folds;  ///< of the graph of the task's panels; a net if `overlaps` is 0
   int overlaps;
-  std::int64_t moves;  ///< of a tree search
-  int generations;     ///< of a genetic search
+  int shortfall;         ///< conflicts, in the plane and in space, that keep it from what was asked
+  bool folds_straight;   ///< certified
+  std::int64_t moves;    ///< of a tree search
+  int generations;       ///< of a genetic search
 };
 struct ExchangeResult {
   bool found;
   std::vector<int> labels;          ///< per panel of the task, after the exchange
   std::map<int, FoldTree> changed;  ///< best trees of the parts whose panels changed
-  std::map<int, int> overlaps;      ///< left, of each other part without a net
+  std::map<int, int> shortfalls;    ///< left, of each other part without what was asked
   std::int64_t moves;
 };
-using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult>;
+struct PlanResult {
+  FoldMotion motion;
+};
+using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult, PlanResult>;
 
 /// Where a net search stands after a generation, or a batch of moves.
 struct SearchStatus {
@@ -109,8 +122,11 @@ class TaskRunner {
 
   Task task_;
   DualGraph graph_;
+  std::optional<Foldable> foldable_;  ///< for planning
   /// Made once `graph_`, which they refer to, stands.
-  std::variant<std::monostate, FoldabilityLearner, TreeSearch, GeneticSearch, BorderExchange> run_;
+  std::variant<std::monostate, FoldabilityLearner, TreeSearch, GeneticSearch, BorderExchange,
+               MotionPlanner>
+      run_;
   std::vector<SearchStatus> generations_;
   int last_generation_ = 0;
 };

@@ -53,7 +53,8 @@ void each_field(T& value, F& f) {
   } else if constexpr (is_any_of<T, LearnTask>) {
     f(value.options), f(value.first_run), f(value.last_run);
   } else if constexpr (is_any_of<T, TreeSearchOptions>) {
-    f(value.starts), f(value.temperature), f(value.patience), f(value.good_enough), f(value.seed);
+    f(value.starts), f(value.temperature), f(value.patience), f(value.good_enough);
+    f(value.clearance), f(value.seed);
   } else if constexpr (is_any_of<T, SearchTask, GeneticTask>) {
     f(value.options);
   } else if constexpr (is_any_of<T, GeneticOptions>) {
@@ -61,17 +62,25 @@ void each_field(T& value, F& f) {
     f(value.crossover), f(value.mutation), f(value.step);
     f(value.overlap_cost), f(value.hyperbolic_cost), f(value.seed);
   } else if constexpr (is_any_of<T, ExchangeOptions>) {
-    f(value.part), f(value.most_steps), f(value.most_moves), f(value.temperature), f(value.seed);
+    f(value.part), f(value.most_steps), f(value.most_moves), f(value.temperature);
+    f(value.clearance), f(value.seed);
   } else if constexpr (is_any_of<T, PartsSoFar>) {
-    f(value.labels), f(value.fold_edges), f(value.overlaps);
+    f(value.labels), f(value.fold_edges), f(value.shortfalls);
   } else if constexpr (is_any_of<T, ExchangeTask>) {
     f(value.parts), f(value.options);
   } else if constexpr (is_any_of<T, FoldabilityCounts>) {
     f(value.size), f(value.runs), f(value.counts);
   } else if constexpr (is_any_of<T, SearchResult>) {
-    f(value.folds), f(value.overlaps), f(value.moves), f(value.generations);
+    f(value.folds), f(value.overlaps), f(value.shortfall), f(value.folds_straight);
+    f(value.moves), f(value.generations);
+  } else if constexpr (is_any_of<T, PlanTask>) {
+    f(value.folds), f(value.clearance), f(value.seed);
+  } else if constexpr (is_any_of<T, FoldMotion>) {
+    f(value.kind), f(value.times), f(value.shares);
+  } else if constexpr (is_any_of<T, PlanResult>) {
+    f(value.motion);
   } else if constexpr (is_any_of<T, ExchangeResult>) {
-    f(value.found), f(value.labels), f(value.changed), f(value.overlaps), f(value.moves);
+    f(value.found), f(value.labels), f(value.changed), f(value.shortfalls), f(value.moves);
   } else if constexpr (is_any_of<T, SearchStatus>) {
     f(value.best), f(value.overlaps), f(value.hyperbolic);
   } else if constexpr (is_any_of<T, NetPicture>) {

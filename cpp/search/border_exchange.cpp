@@ -16,7 +16,7 @@ constexpr std::int64_t kNeighbourPatience = 20000;
 
 // Share of the draws that go to any border panel, so that every border can move in the end.
 constexpr double kAnywhere = 0.2;
-// Overlaps at a hyperbolic vertex are why there is no net.
+// Conflicts at a hyperbolic vertex are why there is no net.
 constexpr double kHyperbolicWeight = 3;
 
 }  // namespace
@@ -31,7 +31,8 @@ BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, PartsSo
       vertices_of_panel_(panel_vertices(mesh, graph)),
       folds_(mesh.edges.size(), 0),
       hyperbolic_(hyperbolic_vertices(mesh)),
-      overlaps_of_(std::move(parts.overlaps)) {
+      shortfalls_(std::move(parts.shortfalls)) {
+  shortfalls_.erase(options_.part);
   for (const int e : parts.fold_edges) folds_[e] = 1;
   start(own_, options_.part, kOwnPatience, 0);
 }
@@ -68,16 +69,16 @@ std::vector<int> BorderExchange::panels_of(int part) const {
   return panels;
 }
 
-int BorderExchange::known_overlaps(int part) const {
-  const auto known = overlaps_of_.find(part);
-  return known == overlaps_of_.end() ? 0 : known->second;
+int BorderExchange::known_shortfall(int part) const {
+  const auto known = shortfalls_.find(part);
+  return known == shortfalls_.end() ? 0 : known->second;
 }
 
 void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience, int good_enough) {
   attempt.search.reset();
   attempt.graph = restrict_to(*graph_, panels_of(part));
   const TreeSearchOptions options = {
-      .patience = patience, .good_enough = good_enough, .seed = random_.bits()};
+      .patience = patience, .good_enough = good_enough, .clearance = options_.clearance, .seed = random_.bits()};
   attempt.search =
       std::make_unique<TreeSearch>(*mesh_, attempt.graph, options, tree_of_folds(attempt.graph));
 }
@@ -97,13 +98,11 @@ void BorderExchange::remember_folds(const Attempt& attempt) {
   for (const int h : attempt.search->best()) folds_[attempt.graph.hinges[h].edges[0]] = 1;
 }
 
-/// Per panel: how much the part's best tree overlaps at the panel's vertices.
-std::vector<double> BorderExchange::panel_weights() const {
+/// Per panel: how much the part's best tree is in conflict at the panel's vertices.
+std::vector<double> BorderExchange::weigh_panels() const {
   const std::vector<int> panels = panels_of(options_.part);
-  const DualGraph graph = restrict_to(*graph_, panels);
-  const RootedTree tree = hang_tree(graph, trees_.at(options_.part));
   std::map<int, double> at_vertex;
-  for (const auto& pair : overlapping_panels(graph, lay_out(graph, tree))) {
+  for (const auto& pair : own_.search->conflicts()) {
     for (const int panel : pair) {
       for (const int v : vertices_of_panel_[panels[panel]]) {
         at_vertex[v] += hyperbolic_[v] ? kHyperbolicWeight : 1;
@@ -148,7 +147,6 @@ bool BorderExchange::stays_connected(int panel) const {
 
 /// Draws a border panel by weight: one of the part's own to give, or a neighbour's to take.
 BorderExchange::Exchange BorderExchange::choose() {
-  const std::vector<double> weights = panel_weights();
   std::set<std::pair<int, int>> candidates;  // panel, part it would go to
   for (const Hinge& hinge : graph_->hinges) {
     for (const int side : {0, 1}) {
@@ -160,13 +158,13 @@ BorderExchange::Exchange BorderExchange::choose() {
   }
   while (!candidates.empty()) {
     double sum = 0;
-    for (const auto& [panel, to] : candidates) sum += weights[panel];
+    for (const auto& [panel, to] : candidates) sum += weights_[panel];
     const bool anywhere = random_.uniform() < kAnywhere || sum == 0;
     if (anywhere) sum = static_cast<double>(candidates.size());
     double left = random_.uniform() * sum;
     auto chosen = candidates.begin();
     for (; std::next(chosen) != candidates.end(); ++chosen) {
-      left -= anywhere ? 1 : weights[chosen->first];
+      left -= anywhere ? 1 : weights_[chosen->first];
       if (left < 0) break;
     }
     if (stays_connected(chosen->first)) return {chosen->first, chosen->second};
@@ -187,21 +185,21 @@ void BorderExchange::begin_step() {
   labels_[exchange_.panel] = exchange_.to;
   exchange_.to = from;  // what undoing needs
   start(own_, options_.part, kOwnPatience, 0);
-  start(other_, neighbour_, kNeighbourPatience, known_overlaps(neighbour_));
+  start(other_, neighbour_, kNeighbourPatience, known_shortfall(neighbour_));
 }
 
 void BorderExchange::end_step() {
   moves_ += own_.search->moves() + (other_.search ? other_.search->moves() : 0);
-  const int own = own_.search->best_overlaps();
+  const int own = own_.search->shortfall();
   bool keep = true;
   if (other_.search) {
-    const int known = known_overlaps(neighbour_);
-    const int other = other_.search->best_overlaps();
-    const int added = own + other - part_overlaps_ - known;
+    const int known = known_shortfall(neighbour_);
+    const int other = other_.search->shortfall();
+    const int added = own + other - shortfall_ - known;
     keep = other <= known &&
            (added <= 0 || random_.uniform() < std::exp(-added / options_.temperature));
     if (keep) {
-      if (known > 0) overlaps_of_[neighbour_] = other;
+      if (known > 0) shortfalls_[neighbour_] = other;
       trees_[neighbour_] = other_.search->best();
       remember_folds(other_);
     } else {
@@ -209,7 +207,8 @@ void BorderExchange::end_step() {
     }
   }
   if (!keep) return;
-  part_overlaps_ = own;
+  shortfall_ = own;
+  weights_ = weigh_panels();
   trees_[options_.part] = own_.search->best();
   remember_folds(own_);
   if (own == 0) state_ = State::kFound;

@@ -13,25 +13,27 @@ struct PartsSoFar {
   /// Mesh edges at which the best trees found so far fold, of all parts together: searches start
   /// from them.
   std::vector<int> fold_edges;
-  std::map<int, int> overlaps;  ///< of the best tree of each part that has no net yet
+  /// Conflicts of the best tree of each part that has no net yet, or none that folds.
+  std::map<int, int> shortfalls;
 };
 
 struct ExchangeOptions {
-  int part = 0;          ///< the part that has no net
+  int part = 0;          ///< the part that has no net, or none that folds
   int most_steps = 300;  ///< exchanges tried; cures need 1 to 20 accepted ones
   /// Moves of all searches together, a second or some: cures took 10 to 300 thousand.
   std::int64_t most_moves = 600'000;
-  /// An exchange that adds d overlaps is still made with probability exp(-d / temperature).
+  /// An exchange that adds d conflicts is still made with probability exp(-d / temperature).
   double temperature = 0.5;
+  double clearance = 0;  ///< of the nets' straight folding, as in `TreeSearchOptions`
   std::uint64_t seed = 1;
 };
 
 /// Gives a part that has no net a border that has one, panel by panel, with its neighbours.
 ///
-/// A step hands one border panel over, where the best tree so far overlaps most often, searches
-/// both parts anew for a while, and keeps the exchange when the overlaps of both together do not
-/// grow. Parts stay connected, none vanishes, and a neighbour comes to no more overlaps than it
-/// had: one with a net keeps a net. Why it works: a part has no net when it holds a pocket of
+/// A step hands one border panel over, where the best tree so far has most conflicts, searches both
+/// parts anew for a while, and keeps the exchange when the conflicts of both together do not grow.
+/// Parts stay connected, none vanishes, and a neighbour comes to no more conflicts than it had: one
+/// with a net keeps a net, and with a clearance gets one that folds straight. Why it works: a part has no net when it holds a pocket of
 /// negative curvature near its border, such as a hyperbolic vertex whose neighbours all lie on it.
 class BorderExchange {
  public:
@@ -45,11 +47,12 @@ class BorderExchange {
   State step(std::int64_t work);
 
   const std::vector<int>& labels() const { return labels_; }
-  /// Overlaps left, of each other part that has no net.
-  const std::map<int, int>& overlaps_of() const { return overlaps_of_; }
+  /// Conflicts left, of each other part that has none.
+  const std::map<int, int>& shortfalls() const { return shortfalls_; }
   /// Best trees of the parts that changed, of the graph restricted to each part.
   const std::map<int, FoldTree>& trees() const { return trees_; }
-  int overlaps() const { return part_overlaps_; }
+  /// Conflicts left; 0 once it is found, -1 before the first search has ended.
+  int shortfall() const { return shortfall_; }
   std::int64_t moves() const { return moves_; }
   double progress() const;
 
@@ -69,8 +72,8 @@ class BorderExchange {
   void start(Attempt& attempt, int part, std::int64_t patience, int good_enough);
   FoldTree tree_of_folds(const DualGraph& graph);
   void remember_folds(const Attempt& attempt);
-  std::vector<double> panel_weights() const;
-  int known_overlaps(int part) const;
+  std::vector<double> weigh_panels() const;
+  int known_shortfall(int part) const;
   Exchange choose();
   bool stays_connected(int panel) const;
   void begin_step();
@@ -85,8 +88,9 @@ class BorderExchange {
   std::vector<char> folds_;       ///< per mesh edge: some part's best tree folds there
   std::vector<char> hyperbolic_;  ///< per vertex: more than a full turn of face angles
   std::map<int, FoldTree> trees_;
-  int part_overlaps_ = -1;          ///< of the best tree of the part; -1 before the first search
-  std::map<int, int> overlaps_of_;  ///< of the other parts without a net
+  int shortfall_ = -1;
+  std::map<int, int> shortfalls_;
+  std::vector<double> weights_;  ///< per panel: how much the part's best tree has conflicts there
   int steps_ = 0;
   std::int64_t moves_ = 0;
   State state_ = State::kRunning;

@@ -2,56 +2,27 @@
 // long the search stage takes and how many pieces come out. The paper reports a factor of three for
 // segmenting its snail of 574 faces first.
 
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 
-#include "pipeline/job.h"
-#include "shared_models.h"
+#include "timed_job.h"
 
 namespace {
 
 using namespace foldwright;
-using Clock = std::chrono::steady_clock;
-
-struct Measured {
-  double seconds = 0;
-  std::shared_ptr<const JobResult> result;
-};
-
-/// Runs a job and times its search stage alone.
-Measured measure(const std::string& bytes, const std::string& name, const JobOptions& options) {
-  std::vector<std::byte> file(bytes.size());
-  std::memcpy(file.data(), bytes.data(), bytes.size());
-  Job job(std::move(file), name, options);
-  Measured measured;
-  StageId stage = StageId::kRead;
-  while (!job.finished()) {
-    const auto start = Clock::now();
-    const StageId before = stage;
-    for (const Event& event : job.step(10000)) {
-      if (const auto* at = std::get_if<StageEvent>(&event)) stage = at->stage;
-      if (const auto* done = std::get_if<DoneEvent>(&event)) measured.result = done->result;
-    }
-    if (before == StageId::kSearch) {
-      measured.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-    }
-  }
-  return measured;
-}
-
 void print_row(const std::filesystem::path& path, int parts, Solver solver) {
   JobOptions options;
   options.parts = parts;
   options.solver = solver;
-  const Measured measured = measure(testing::bytes_of(path), path.filename().string(), options);
-  if (!measured.result) return;
-  const JobResult& result = *measured.result;
+  options.folding = FoldingMode::kOff;
+  const testing::TimedJob timed = testing::run_timed(path, options);
+  if (!timed.result) return;
+  const JobResult& result = *timed.result;
   std::size_t invalid = 0;
   for (const Piece& piece : result.pieces) invalid += piece.check.valid() ? 0 : 1;
   std::printf("%-20s %-8s %5d %6zu %8zu %12lld %12d %9.2f\n", path.filename().c_str(),
               solver == Solver::kTree ? "tree" : "genetic", parts, result.pieces.size(), invalid,
-              static_cast<long long>(result.moves), result.generations, measured.seconds);
+              static_cast<long long>(result.moves), result.generations, timed.seconds.at(StageId::kSearch));
   std::fflush(stdout);
 }
 

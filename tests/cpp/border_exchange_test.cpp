@@ -41,7 +41,7 @@ TEST(BorderExchange, CuresAPartWithoutANet) {
     SCOPED_TRACE(seed);
     BorderExchange exchange(apron.mesh, apron.graph, apron.parts(), {.seed = seed});
     ASSERT_EQ(exchange.step(kToTheEnd), State::kFound);
-    EXPECT_EQ(exchange.overlaps(), 0);
+    EXPECT_EQ(exchange.shortfall(), 0);
     EXPECT_EQ(fault_of_parts(apron.graph, exchange.labels()), "");
     EXPECT_EQ(part_count(exchange.labels()), 2);
     for (const int part : {0, 1}) {
@@ -80,7 +80,7 @@ TEST(BorderExchange, GivesUpWithoutANeighbour) {
   BorderExchange exchange(mesh, graph, {Labels(8, 0), {}, {{0, 1}}});
   EXPECT_EQ(exchange.step(kToTheEnd), State::kGaveUp);
   EXPECT_EQ(exchange.labels(), Labels(8, 0));
-  EXPECT_GT(exchange.overlaps(), 0);
+  EXPECT_GT(exchange.shortfall(), 0);
 }
 
 TEST(BorderExchange, KeepsPartsConnectedWhenItGivesUp) {

@@ -16,7 +16,7 @@ using Overlaps = std::vector<std::array<int, 2>>;
 Overlaps overlaps_of(const MovingLayout& layout, int panels) {
   Overlaps overlaps;
   for (int a = 0; a < panels; ++a) {
-    for (const int b : layout.partners(a)) {
+    for (const int b : layout.flat().partners(a)) {
       if (a < b) overlaps.push_back({a, b});
     }
   }
@@ -32,10 +32,10 @@ std::string fault_of(const MovingLayout& layout, const DualGraph& graph) {
   const Overlaps expected = testing::overlaps_of(graph, folds);
   if (overlaps_of(layout, n) != expected) return "other overlaps";
   if (layout.overlap_count() != static_cast<int>(expected.size())) return "wrong count";
-  std::vector<int> conflicted(layout.conflicted().begin(), layout.conflicted().end());
+  std::vector<int> conflicted(layout.flat().conflicted().begin(), layout.flat().conflicted().end());
   std::ranges::sort(conflicted);
   for (int panel = 0; panel < n; ++panel) {
-    if (std::ranges::count(conflicted, panel) != (layout.partners(panel).empty() ? 0 : 1)) {
+    if (std::ranges::count(conflicted, panel) != (layout.flat().partners(panel).empty() ? 0 : 1)) {
       return "panel " + std::to_string(panel) + " is listed wrongly";
     }
   }
@@ -68,7 +68,7 @@ void expect_right_selection(const MovingLayout& layout, const DualGraph& graph, 
   const auto side = side_of(graph, folds, cut, graph.hinges[cut].panels[0]);
   const auto size = static_cast<int>(std::ranges::count(side, 1));
   EXPECT_EQ(layout.selected_size(), std::min(size, graph.panel_count() - size));
-  EXPECT_EQ(layout.crossing_overlaps(), crossings(overlaps_of(layout, graph.panel_count()), side));
+  EXPECT_EQ(layout.crossing_conflicts(), crossings(overlaps_of(layout, graph.panel_count()), side));
   std::vector<int> joins(layout.joins().begin(), layout.joins().end());
   std::ranges::sort(joins);
   std::vector<int> expected;
@@ -88,7 +88,7 @@ void swap_randomly(MovingLayout& layout, const DualGraph& graph, Random& random,
   const auto joins = layout.joins();
   if (joins.empty()) return;
   const int join = joins[random.below(static_cast<int>(joins.size()))];
-  const int old = layout.crossing_overlaps();
+  const int old = layout.crossing_conflicts();
   const int before = layout.overlap_count();
   const int now = layout.try_join(join, limit);
   if (now > limit) {
@@ -161,43 +161,6 @@ TEST(MovingLayout, StopsCountingAboveTheLimit) {
       EXPECT_LE(counted, limit + 1);
     }
   }
-}
-
-TEST(BoxGrid, FindsEveryBoxThatMayMeet) {
-  Random random(3);
-  const auto random_box = [&] {
-    // Now and then one that covers so many cells that it is listed apart.
-    const double size = random.below(20) == 0 ? 50 : 2;
-    const double x = 40 * random.uniform() - 20;
-    const double y = 40 * random.uniform() - 20;
-    return Box2{x, y, x + size * random.uniform(), y + size * random.uniform()};
-  };
-  BoxGrid grid(100, 1);
-  std::vector<Box2> boxes;
-  for (int i = 0; i < 100; ++i) {
-    boxes.push_back(random_box());
-    grid.insert(i, boxes[i]);
-  }
-  for (int round = 0; round < 300; ++round) {
-    const int item = random.below(100);
-    grid.remove(item, boxes[item]);
-    boxes[item] = random_box();
-    grid.insert(item, boxes[item]);
-    const Box2 query = random_box();
-    std::vector<char> visited(100, 0);
-    grid.visit(query, [&](int i) { return visited[i] = 1, true; });
-    for (int i = 0; i < 100; ++i) {
-      EXPECT_TRUE(visited[i] || !query.meets(boxes[i])) << "box " << i << ", round " << round;
-    }
-  }
-}
-
-TEST(BoxGrid, StopsWhenToldTo) {
-  BoxGrid grid(10, 1);
-  for (int i = 0; i < 10; ++i) grid.insert(i, {0, 0, 0.5, 0.5});
-  int visits = 0;
-  grid.visit({0, 0, 0.5, 0.5}, [&](int) { return ++visits < 3; });
-  EXPECT_EQ(visits, 3);
 }
 
 }  // namespace

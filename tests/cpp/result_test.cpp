@@ -19,7 +19,7 @@ JobResult small_result() {
   result.labels = std::vector<int>(12, 0);
   result.parts = 1;
   result.pieces.push_back(
-      {0, Cause::kPart, make_net(result.mesh, graph, all_spanning_trees(graph)[0]), {}, {}});
+      {0, Cause::kPart, make_net(result.mesh, graph, all_spanning_trees(graph)[0]), {}, {}, {}});
   result.sheets.scale = 40;
   result.sheets.placements.push_back({0, 10, 20});
   return result;
@@ -45,6 +45,10 @@ TEST(CanonicalDump, ShowsEveryChangeOfTheOutcome) {
       [](JobResult& r) { r.pieces[0].net.edges[0].assignment = Assignment::kValley; },
       [](JobResult& r) { r.pieces[0].net.edges[0].angle += 1e-15; },
       [](JobResult& r) { r.pieces[0].net.vertices[7].y() += 1e-15; },
+      [](JobResult& r) { r.pieces[0].motion.kind = Folding::kLine; },
+      [](JobResult& r) { r.pieces[0].motion.root = 1; },
+      [](JobResult& r) { r.pieces[0].motion.times = {0, 1}; },
+      [](JobResult& r) { r.pieces[0].motion.angles = {{0.5}}; },
       [](JobResult& r) { r.sheets.scale += 1e-12; },
       [](JobResult& r) { r.sheets.placements[0].sheet = 1; },
       [](JobResult& r) { r.sheets.placements[0].x += 1e-12; },

@@ -87,7 +87,7 @@ TEST(Wire, CarriesEveryOptionOfATask) {
   const ExchangeTask exchange = std::get<ExchangeTask>(carried(3));
   EXPECT_EQ(exchange.parts.labels.size(), 11u);
   EXPECT_EQ(exchange.parts.fold_edges, (std::vector<int>{2, 3, 5, 6}));
-  EXPECT_EQ(exchange.parts.overlaps, (std::map<int, int>{{0, 1}}));
+  EXPECT_EQ(exchange.parts.shortfalls, (std::map<int, int>{{0, 1}}));
   EXPECT_EQ(exchange.options.most_steps, 40);
   EXPECT_EQ(exchange.options.most_moves, 100000);
   EXPECT_EQ(exchange.options.temperature, 0.9);
@@ -130,7 +130,7 @@ TEST(Wire, CarriesEveryFieldOfAnExchange) {
   EXPECT_TRUE(copy.found);
   EXPECT_EQ(copy.labels, (std::vector<int>{0, 1, 1}));
   EXPECT_EQ(copy.changed, (std::map<int, FoldTree>{{1, {4, 5}}}));
-  EXPECT_EQ(copy.overlaps, (std::map<int, int>{{0, 2}}));
+  EXPECT_EQ(copy.shortfalls, (std::map<int, int>{{0, 2}}));
   EXPECT_EQ(copy.moves, 99);
 }
 

@@ -145,6 +145,7 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
   }
   const letter = (angle: number) => (Math.abs(angle) < 1e-3 ? 'F' : angle < 0 ? 'M' : 'V');
   const edges = [...net.folds, ...cuts];
+  const foldAngles = [...net.folds.map(({ angle }) => angle), ...cuts.map(() => NaN)];
   return {
     id: 0,
     part: 0,
@@ -157,7 +158,13 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     sources: Int32Array.from(sources),
     edges: Int32Array.from(edges.flatMap(({ edge }) => edge)),
     assignments: net.folds.map(({ angle }) => letter(angle)).join('') + 'B'.repeat(cuts.length),
-    foldAngles: Float64Array.from([...net.folds.map(({ angle }) => angle), ...cuts.map(() => NaN)]),
+    foldAngles: Float64Array.from(foldAngles),
+    foldable: 'line',
+    motion: {
+      root: 0,
+      times: Float64Array.of(0, 1),
+      angles: Float64Array.from([...foldAngles.map((angle) => 0 * angle), ...foldAngles]),
+    },
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
     sheet: 0,

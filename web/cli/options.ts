@@ -56,9 +56,15 @@ export const rows = {
   faces: row('N|off', 'off', wordOr('off', whole(4, manyFaces)), 'simplify to N triangles first'),
   folding: row(
     'MODE',
-    'off',
-    choice(['off'], ['require', 'prefer']),
-    'off: do not look for folding motions',
+    defaultOptions.folding,
+    choice(['require', 'prefer', 'off']),
+    'nets without a folding motion: require: split; prefer: report; off: do not look',
+  ),
+  clearance: row(
+    'F',
+    defaultOptions.clearance,
+    decimal(0.0001, 0.2),
+    'how far apart faces stay while folding, in mean edge lengths',
   ),
   paper: row('SIZE', 'A4', paper, 'A2 to A5, Letter, Legal, Tabloid, 12x12in, or WxH in mm'),
   orientation: row(
@@ -115,12 +121,15 @@ export function echo(settings: Settings): Record<string, unknown> {
 
 /** What the engine is asked for. */
 export function jobOptions(settings: Settings): JobOptions {
-  const { parts, faces, heuristic, segment, solver, runs, proxy, seed } = settings;
+  const { parts, faces, heuristic, segment, solver, folding, clearance, runs, proxy, seed } =
+    settings;
   return {
     parts: parts === 'auto' ? 0 : parts,
     heuristic,
     segment,
     solver,
+    folding,
+    clearance,
     runs,
     proxy,
     seed,

@@ -39,13 +39,12 @@ export function decimal(least: number, most: number): Parser<number> {
   };
 }
 
-/** One of the words in `now`; the words in `later` are known, but do not work yet. */
-export function choice<const Word extends string>(now: Word[], later: string[] = []): Parser<Word> {
+/** One of some words. */
+export function choice<const Word extends string>(words: Word[]): Parser<Word> {
   return (text) => {
-    const word = now.find((candidate) => candidate === text);
+    const word = words.find((candidate) => candidate === text);
     if (word !== undefined) return word;
-    if (later.includes(text)) throw new BadValue('does not exist in this version yet');
-    throw new BadValue(`is not ${[...now, ...later].join(' or ')}`);
+    throw new BadValue(`is not ${words.join(' or ')}`);
   };
 }
 

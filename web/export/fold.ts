@@ -38,6 +38,18 @@ function modelFrame(model: Model): Entries {
   ];
 }
 
+function motionEntries(piece: Piece): Entries {
+  if (!piece.motion) return [];
+  const { root, times, angles } = piece.motion;
+  const motion = {
+    root,
+    t: Array.from(times),
+    angles: rows(angles, piece.assignments.length),
+    certified: true,
+  };
+  return [['foldwright:motion', motion]];
+}
+
 function pieceFrame(piece: Piece): Entries {
   return [
     ['frame_title', `Piece ${pieceLetter(piece.id)}`],
@@ -53,6 +65,7 @@ function pieceFrame(piece: Piece): Entries {
     ['faces_foldwright:source', Array.from(piece.sources)],
     ['foldwright:piece', piece.id],
     ['foldwright:part', piece.part],
+    ...motionEntries(piece),
   ];
 }
 

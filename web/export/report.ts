@@ -18,11 +18,11 @@ export interface PieceReport {
   id: number;
   part: number;
   faces: number;
-  cause: 'part' | 'no-net' | 'no-motion' | 'sheet';
+  cause: Piece['cause'];
   overlaps: number;
   width_mm: number;
   height_mm: number;
-  foldable: 'line' | 'waypoints' | 'no' | 'unchecked';
+  foldable: Piece['foldable'];
   certified: boolean;
 }
 
@@ -62,9 +62,8 @@ function pieceReport(piece: Piece): PieceReport {
     overlaps: piece.overlaps,
     width_mm: piece.width,
     height_mm: piece.height,
-    // No motion is looked for, so none is claimed.
-    foldable: 'unchecked',
-    certified: false,
+    foldable: piece.foldable,
+    certified: piece.motion !== undefined,
   };
 }
 
@@ -79,7 +78,7 @@ function sizeOf({ vertices }: Model): number[] {
   return high.map((value, axis) => value - low[axis]!);
 }
 
-/** The report of a run. Flaps, edge ids and motions are not made yet and are reported as none. */
+/** The report of a run. Flaps and edge ids are not made yet and are reported as none. */
 export function makeReport(input: ReportInput): Report {
   const { job, result } = input;
   const { model } = result;

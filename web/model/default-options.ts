@@ -6,6 +6,8 @@ export const defaultOptions: Readonly<JobOptions> = {
   heuristic: 'steepest',
   segment: 'merge',
   solver: 'tree',
+  folding: 'prefer',
+  clearance: 0.01,
   runs: 400,
   // Proxies of 500 to 1000 faces segment as well as anything larger.
   proxy: 1000,

@@ -6,6 +6,7 @@
 export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
 export type Segmenter = 'merge' | 'spectral';
 export type Solver = 'tree' | 'genetic';
+export type FoldingMode = 'require' | 'prefer' | 'off';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
 
 export interface JobOptions {
@@ -15,6 +16,10 @@ export interface JobOptions {
   heuristic: Heuristic;
   segment: Segmenter;
   solver: Solver;
+  /** What becomes of a net without a folding motion: split, kept and reported, or not looked at. */
+  folding: FoldingMode;
+  /** How far apart faces stay while folding, in mean edge lengths. */
+  clearance: number;
   /** Learning runs. */
   runs: number;
   /** Learn on a simplified proxy above this many faces; 0: never. */
@@ -49,12 +54,25 @@ export interface Model {
   components: number;
 }
 
+/**
+ * A path of all fold angles from flat to folded, linear between its keys, on which no faces run
+ * into each other: proved for all of it.
+ */
+export interface Motion {
+  /** The face of the piece that stays where it is. */
+  root: number;
+  /** Of the keys, ascending from 0 (flat) to 1 (folded). */
+  times: Float64Array;
+  /** Per key and edge of the piece, in degrees as `foldAngles`; NaN for B. */
+  angles: Float64Array;
+}
+
 /** One net on paper. */
 export interface Piece {
   id: number;
   part: number;
-  /** Why the piece exists: it is a whole part, or a share of a part that has no net. */
-  cause: 'part' | 'no-net';
+  /** Why the piece exists: it is a whole part, or a share of a part without a net, or a motion. */
+  cause: 'part' | 'no-net' | 'no-motion';
   /** Overlapping face pairs found by the independent check; 0 in every finished net. */
   overlaps: number;
   width: number;
@@ -73,6 +91,10 @@ export interface Piece {
   foldAngles: Float64Array;
   /** Per edge: its edge of the model; the two sides of a cut share it. */
   modelEdges: Int32Array;
+  /** How it folds up: all folds evenly together, some ahead of others, or in no way that was found. */
+  foldable: 'line' | 'waypoints' | 'no' | 'unchecked';
+  /** Present if it folds up. */
+  motion?: Motion;
   /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
    * walked there and back. */
   outlines: Int32Array[];

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "pipeline/job.h"
+#include "shared_models.h"
+
+namespace foldwright::testing {
+
+/// What a job came to, and how long each of its stages took.
+struct TimedJob {
+  std::shared_ptr<const JobResult> result;  ///< null if the model could not be used
+  std::map<StageId, double> seconds;
+};
+
+/// Runs a job on a model file, alone and on one thread.
+inline TimedJob run_timed(const std::filesystem::path& path, const JobOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const std::string bytes = bytes_of(path);
+  std::vector<std::byte> file(bytes.size());
+  std::memcpy(file.data(), bytes.data(), bytes.size());
+  Job job(std::move(file), path.filename().string(), options);
+  TimedJob timed;
+  StageId stage = StageId::kRead;
+  while (!job.finished()) {
+    const auto start = Clock::now();
+    const StageId before = stage;
+    for (const Event& event : job.step(10000)) {
+      if (const auto* at = std::get_if<StageEvent>(&event)) stage = at->stage;
+      if (const auto* done = std::get_if<DoneEvent>(&event)) timed.result = done->result;
+    }
+    timed.seconds[before] += std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return timed;
+}
+
+}  // namespace foldwright::testing

@@ -1,0 +1,48 @@
+#include "search/box_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/random.h"
+
+namespace foldwright::testing {
+namespace {
+
+TEST(BoxGrid, FindsEveryBoxThatMayMeet) {
+  Random random(3);
+  const auto random_box = [&] {
+    // Now and then one that covers so many cells that it is listed apart.
+    const double size = random.below(20) == 0 ? 50 : 2;
+    const double x = 40 * random.uniform() - 20;
+    const double y = 40 * random.uniform() - 20;
+    return Box2{x, y, x + size * random.uniform(), y + size * random.uniform()};
+  };
+  BoxGrid<2> grid(100, 1);
+  std::vector<Box2> boxes;
+  for (int i = 0; i < 100; ++i) {
+    boxes.push_back(random_box());
+    grid.insert(i, boxes[i]);
+  }
+  for (int round = 0; round < 300; ++round) {
+    const int item = random.below(100);
+    grid.remove(item, boxes[item]);
+    boxes[item] = random_box();
+    grid.insert(item, boxes[item]);
+    const Box2 query = random_box();
+    std::vector<char> visited(100, 0);
+    grid.visit(query, [&](int i) { return visited[i] = 1, true; });
+    for (int i = 0; i < 100; ++i) {
+      EXPECT_TRUE(visited[i] || !query.meets(boxes[i])) << "box " << i << ", round " << round;
+    }
+  }
+}
+
+TEST(BoxGrid, StopsWhenToldTo) {
+  BoxGrid<2> grid(10, 1);
+  for (int i = 0; i < 10; ++i) grid.insert(i, {0, 0, 0.5, 0.5});
+  int visits = 0;
+  grid.visit({0, 0, 0.5, 0.5}, [&](int) { return ++visits < 3; });
+  EXPECT_EQ(visits, 3);
+}
+
+}  // namespace
+}  // namespace foldwright::testing
