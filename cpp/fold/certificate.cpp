@@ -51,8 +51,8 @@ Certificate::Certificate(const Foldable& foldable, std::span<const int> folds, L
       const Vec2 centroid = (face[0] + face[1] + face[2]) / 3;
       panel_of_.push_back(panel);
       centroids_.push_back(centroid);
-      radii_.push_back(std::max({(face[0] - centroid).norm(), (face[1] - centroid).norm(),
-                                 (face[2] - centroid).norm()}));
+      radii_.push_back(std::max(
+          {(face[0] - centroid).norm(), (face[1] - centroid).norm(), (face[2] - centroid).norm()}));
     }
   }
   for (std::size_t i = 1; i < tree_.order.size(); ++i) {

@@ -73,10 +73,10 @@ class Certificate {
   std::vector<Interval> stack_;
   std::vector<double> counterexamples_;
 
-  std::vector<int> panel_of_;    ///< per face
-  std::vector<Vec2> centroids_;  ///< per face, in its panel's coordinates
-  std::vector<double> radii_;    ///< per face: of a circle about its centroid
-  std::vector<double> rates_;    ///< per panel: how far its fold to the parent turns over the leg
+  std::vector<int> panel_of_;      ///< per face
+  std::vector<Vec2> centroids_;    ///< per face, in its panel's coordinates
+  std::vector<double> radii_;      ///< per face: of a circle about its centroid
+  std::vector<double> rates_;      ///< per panel: how far its fold to the parent turns over the leg
   std::vector<int> depth_, rank_;  ///< per panel: below the root; in the tree's order
 
   // At the s looked at last:

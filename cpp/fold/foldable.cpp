@@ -48,8 +48,7 @@ FoldedLayout fold_up(const Foldable& foldable, const RootedTree& tree,
   for (std::size_t i = 1; i < tree.order.size(); ++i) {
     const int panel = tree.order[i];
     const int hinge = tree.hinge[panel];
-    layout[panel] =
-        layout[tree.parent[panel]] * fold_beside(foldable, hinge, panel, angles[hinge]);
+    layout[panel] = layout[tree.parent[panel]] * fold_beside(foldable, hinge, panel, angles[hinge]);
   }
   return layout;
 }
@@ -102,9 +101,8 @@ bool meets_itself(const Foldable& foldable) {
       colliding_panels(foldable, tree, fold_up(foldable, tree, fold_angles(graph, 1)));
   return std::any_of(meeting.begin(), meeting.end(), [&](const std::array<int, 2>& pair) {
     const auto hinges = graph.hinges_of(pair[0]);
-    return std::none_of(hinges.begin(), hinges.end(), [&](int h) {
-      return graph.hinges[h].other(pair[0]) == pair[1];
-    });
+    return std::none_of(hinges.begin(), hinges.end(),
+                        [&](int h) { return graph.hinges[h].other(pair[0]) == pair[1]; });
   });
 }
 

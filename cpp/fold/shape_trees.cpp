@@ -119,7 +119,8 @@ void ShapeTrees::grow() {
   if (reached != -1) {
     const Shape shape = own[reached].shape;
     int from = nearest(other, shape);
-    while (from != -1 && difference(other[from].shape, shape) > 0) from = extend(other, from, shape);
+    while (from != -1 && difference(other[from].shape, shape) > 0)
+      from = extend(other, from, shape);
     if (from != -1) {
       join(reached, from);
       return;

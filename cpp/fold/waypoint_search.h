@@ -49,11 +49,12 @@ class WaypointSearch {
   int leg_count_;
   Random random_;
   RootedTree tree_;
-  std::vector<int> depth_;    ///< per panel
-  std::vector<int> fold_of_;  ///< per panel: index of the fold to its parent in the tree; -1 at root
+  std::vector<int> depth_;  ///< per panel
+  std::vector<int>
+      fold_of_;  ///< per panel: index of the fold to its parent in the tree; -1 at root
   std::vector<Sample> samples_;
-  std::vector<int> legs_;  ///< per fold of the tree
-  int collisions_ = -1;    ///< over all samples; -1 before the first start
+  std::vector<int> legs_;                   ///< per fold of the tree
+  int collisions_ = -1;                     ///< over all samples; -1 before the first start
   std::array<int, 2> worst_pair_ = {0, 0};  ///< a pair that collides now
   std::vector<int> best_start_;
   int starts_ = 0;

@@ -68,8 +68,7 @@ Triangle2 eroded(const Triangle2& t, double depth, double least) {
   const std::array<double, 3> opposite = {(t[2] - t[1]).norm(), (t[0] - t[2]).norm(),
                                           (t[1] - t[0]).norm()};
   const double perimeter = opposite[0] + opposite[1] + opposite[2];
-  const Vec2 incentre =
-      (opposite[0] * t[0] + opposite[1] * t[1] + opposite[2] * t[2]) / perimeter;
+  const Vec2 incentre = (opposite[0] * t[0] + opposite[1] * t[1] + opposite[2] * t[2]) / perimeter;
   const double inradius = std::abs(cross(t[1] - t[0], t[2] - t[0])) / perimeter;
   const double scale = std::max(least, 1 - depth / inradius);
   Triangle2 smaller;

@@ -17,14 +17,15 @@ struct Notice {
   std::string text;  ///< one sentence
 };
 
-/// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that folds.
+/// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that
+/// folds.
 enum class Cause { kPart, kNoNet, kNoMotion };
 
 /// The motion that folds a net up.
 struct PieceMotion {
   Folding kind = Folding::kUnchecked;
-  int root = 0;  ///< the face of the net that stays; in the middle of the tree
-  std::vector<double> times;                ///< of the keys, from 0 to 1; empty without a motion
+  int root = 0;               ///< the face of the net that stays; in the middle of the tree
+  std::vector<double> times;  ///< of the keys, from 0 to 1; empty without a motion
   std::vector<std::vector<double>> angles;  ///< radians per key and edge of the net; 0 for cuts
 };
 

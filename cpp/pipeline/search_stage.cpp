@@ -164,8 +164,7 @@ class SearchStage : public Stage {
 
   void start(const JobState& state, TaskQueue& queue, Region region) {
     if (state.options.folding != FoldingMode::kOff) {
-      const DualGraph graph =
-          restrict_to(state.components[region.component].graph, region.panels);
+      const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
       region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
     }
     const std::uint64_t key = key_of(region);
@@ -206,8 +205,8 @@ class SearchStage : public Stage {
     state.moves += result.moves;
     state.generations += result.generations;
     Candidate& best = search.best;
-    if (best.overlaps == -1 || std::pair(result.overlaps, result.shortfall) <
-                                   std::pair(best.overlaps, best.shortfall)) {
+    if (best.overlaps == -1 ||
+        std::pair(result.overlaps, result.shortfall) < std::pair(best.overlaps, best.shortfall)) {
       best = {result.folds, result.overlaps, result.shortfall, {}};
       if (result.folds_straight) best.motion = straight_motion(best.folds);
     }
@@ -254,7 +253,8 @@ class SearchStage : public Stage {
       waiting_parts_.insert(part);
       Candidate& best = search.best;
       part_trees_[part] = {{std::move(search.region), std::move(best.folds), best.motion},
-                           best.shortfall, best.is_net()};
+                           best.shortfall,
+                           best.is_net()};
     } else {
       give_in(state, queue, std::move(search), events);
     }
@@ -446,8 +446,9 @@ class SearchStage : public Stage {
                                                    std::to_string(outcome.pieces) + " pieces"});
       }
       if (outcome.meets_itself) {
-        state.notices.push_back({"meets-itself", name + " has faces that run through each other in "
-                                                        "the model, so no folding of it is free of collisions"});
+        state.notices.push_back(
+            {"meets-itself", name + " has faces that run through each other in "
+                                    "the model, so no folding of it is free of collisions"});
       } else if (outcome.without_motion > 0) {
         state.notices.push_back(
             {"no-motion", "no way was found to fold up " + name +

@@ -157,8 +157,8 @@ TaskResult TaskRunner::result() const {
   if (const auto* tree = std::get_if<TreeSearch>(&run_)) {
     const bool is_found = tree->state() == TreeSearch::State::kFound;
     const bool folds = std::get<SearchTask>(task_.work).options.clearance > 0;
-    return SearchResult{tree->best(),  tree->best_overlaps(), tree->shortfall(),
-                        is_found && folds, tree->moves(),     0};
+    return SearchResult{tree->best(),      tree->best_overlaps(), tree->shortfall(),
+                        is_found && folds, tree->moves(),         0};
   }
   if (const auto* genetic = std::get_if<GeneticSearch>(&run_)) {
     const int overlaps = genetic->best_fitness().overlaps;

@@ -62,10 +62,10 @@ struct Task {
 struct SearchResult {
   FoldTree folds;  ///< of the graph of the task's panels; a net if `overlaps` is 0
   int overlaps;
-  int shortfall;         ///< conflicts, in the plane and in space, that keep it from what was asked
-  bool folds_straight;   ///< certified
-  std::int64_t moves;    ///< of a tree search
-  int generations;       ///< of a genetic search
+  int shortfall;        ///< conflicts, in the plane and in space, that keep it from what was asked
+  bool folds_straight;  ///< certified
+  std::int64_t moves;   ///< of a tree search
+  int generations;      ///< of a genetic search
 };
 struct ExchangeResult {
   bool found;

@@ -77,8 +77,10 @@ int BorderExchange::known_shortfall(int part) const {
 void BorderExchange::start(Attempt& attempt, int part, std::int64_t patience, int good_enough) {
   attempt.search.reset();
   attempt.graph = restrict_to(*graph_, panels_of(part));
-  const TreeSearchOptions options = {
-      .patience = patience, .good_enough = good_enough, .clearance = options_.clearance, .seed = random_.bits()};
+  const TreeSearchOptions options = {.patience = patience,
+                                     .good_enough = good_enough,
+                                     .clearance = options_.clearance,
+                                     .seed = random_.bits()};
   attempt.search =
       std::make_unique<TreeSearch>(*mesh_, attempt.graph, options, tree_of_folds(attempt.graph));
 }

@@ -33,8 +33,9 @@ struct ExchangeOptions {
 /// A step hands one border panel over, where the best tree so far has most conflicts, searches both
 /// parts anew for a while, and keeps the exchange when the conflicts of both together do not grow.
 /// Parts stay connected, none vanishes, and a neighbour comes to no more conflicts than it had: one
-/// with a net keeps a net, and with a clearance gets one that folds straight. Why it works: a part has no net when it holds a pocket of
-/// negative curvature near its border, such as a hyperbolic vertex whose neighbours all lie on it.
+/// with a net keeps a net, and with a clearance gets one that folds straight. Why it works: a part
+/// has no net when it holds a pocket of negative curvature near its border, such as a hyperbolic
+/// vertex whose neighbours all lie on it.
 class BorderExchange {
  public:
   /// `parts` refers to the panels of `graph`. Mesh and graph must outlive this object.

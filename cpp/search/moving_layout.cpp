@@ -27,7 +27,8 @@ std::array<int, 2> MovingLayout::random_conflict(Random& random) const {
   if (at < flat_.conflicted().size()) return pick(flat_);
   at -= flat_.conflicted().size();
   std::size_t layer = 0;
-  for (; at >= folded_[layer].conflicted().size(); ++layer) at -= folded_[layer].conflicted().size();
+  for (; at >= folded_[layer].conflicted().size(); ++layer)
+    at -= folded_[layer].conflicted().size();
   return pick(folded_[layer]);
 }
 

@@ -50,7 +50,7 @@ class Pockets {
   const Mesh& mesh_;
   const DualGraph& graph_;
   std::vector<double> curvature_;
-  std::vector<char> on_border_;  ///< per vertex: of the graph
+  std::vector<char> on_border_;                    ///< per vertex: of the graph
   std::vector<int> first_neighbour_, neighbours_;  ///< CSR over vertices, along hinges
   std::vector<int> first_panel_, panels_;          ///< CSR over vertices
   std::vector<std::vector<int>> corners_;          ///< per panel

@@ -1,5 +1,5 @@
-// How nets fold: pieces certified straight, over waypoints, or not at all, pieces against parts, and
-// the seconds of the search, for segmented models and for whole closed models as one net.
+// How nets fold: pieces certified straight, over waypoints, or not at all, pieces against parts,
+// and the seconds of the search, for segmented models and for whole closed models as one net.
 
 #include <cstdio>
 #include <string>

@@ -22,7 +22,8 @@ void print_row(const std::filesystem::path& path, int parts, Solver solver) {
   for (const Piece& piece : result.pieces) invalid += piece.check.valid() ? 0 : 1;
   std::printf("%-20s %-8s %5d %6zu %8zu %12lld %12d %9.2f\n", path.filename().c_str(),
               solver == Solver::kTree ? "tree" : "genetic", parts, result.pieces.size(), invalid,
-              static_cast<long long>(result.moves), result.generations, timed.seconds.at(StageId::kSearch));
+              static_cast<long long>(result.moves), result.generations,
+              timed.seconds.at(StageId::kSearch));
   std::fflush(stdout);
 }
 

@@ -47,7 +47,9 @@ TEST(CanonicalDump, ShowsEveryChangeOfTheOutcome) {
       [](JobResult& r) { r.pieces[0].net.vertices[7].y() += 1e-15; },
       [](JobResult& r) { r.pieces[0].motion.kind = Folding::kLine; },
       [](JobResult& r) { r.pieces[0].motion.root = 1; },
-      [](JobResult& r) { r.pieces[0].motion.times = {0, 1}; },
+      [](JobResult& r) {
+        r.pieces[0].motion.times = {0, 1};
+      },
       [](JobResult& r) { r.pieces[0].motion.angles = {{0.5}}; },
       [](JobResult& r) { r.sheets.scale += 1e-12; },
       [](JobResult& r) { r.sheets.placements[0].sheet = 1; },
