@@ -77,6 +77,8 @@ export class OptionsForm {
     const paper = paperSizes.find(({ name }) => name === this.paper.value) ?? paperSizes[0]!;
     const orientation = orientations.find((value) => value === this.orientation.value) ?? 'auto';
     const job: JobOptions = {
+      // For whatever has no field here.
+      ...defaultOptions,
       ...this.more.read(),
       parts: this.parts.value === '' ? defaultOptions.parts : this.parts.valueAsNumber,
       paperWidth: paper.width,
