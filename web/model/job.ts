@@ -79,7 +79,7 @@ export interface Piece {
   height: number;
   /** 2 per vertex, y up; the bounding box starts at (0, 0). */
   vertices: Float64Array;
-  /** 3 per face, counter-clockwise from the printed side. */
+  /** 3 per face, counter-clockwise from the printed side, corner by corner those of its source. */
   faces: Int32Array;
   /** Per face: its index in the model. */
   sources: Int32Array;
