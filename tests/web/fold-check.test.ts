@@ -11,7 +11,7 @@ import {
   slitResult,
 } from './fixtures.js';
 import { checkFold } from './fold-check.js';
-import { parseFold, type FoldFile, type NetFrame } from './fold-file.js';
+import { parseFold, type FoldFile, type FoldMotion, type NetFrame } from './fold-file.js';
 
 /** The violations of a net after one change to it. */
 function broken(change: (file: FoldFile) => void, result: JobResult = cubeResult()): string {
@@ -38,6 +38,8 @@ function glueSlit(frame: NetFrame, assignment: string, angle: number): void {
   frame.edges_vertices.splice(copy, 1);
   frame.edges_assignment.splice(copy, 1);
   frame.edges_foldAngle.splice(copy, 1);
+  // It is of the edges before.
+  delete frame['foldwright:motion'];
 }
 
 describe('checkFold catches', () => {
@@ -147,6 +149,35 @@ describe('checkFold catches', () => {
     const file = parseFold(writeFold(slitResult()));
     glueSlit(net(file), 'V', 90);
     expect(checkFold(file)).toEqual([]);
+  });
+
+  it.each([
+    ['no face that stays', (motion) => (motion.root = 99), /no face 99/],
+    ['keys out of order', (motion) => motion.t.reverse(), /its times are 1, 0/],
+    ['a key too many', (motion) => motion.angles.push([]), /2 times, but 3 keys/],
+    ['an angle too few', (motion) => motion.angles[1]!.pop(), /key 1 has 24 angles for 25 edges/],
+    ['a start that is not flat', (motion) => (motion.angles[0]![0] = 1), /begins at 1 degrees/],
+    ['an end that is not folded', (motion) => (motion.angles[1]![1] = -80), /ends at -80 instead/],
+    ['an angle at a cut', (motion) => (motion.angles[0]![24] = 0), /cut edge 24 has an angle/],
+    ['an unproved motion', (motion) => (motion.certified = false), /not certified/],
+  ] satisfies [string, (motion: FoldMotion) => unknown, RegExp][])(
+    'a motion with %s',
+    (_, change, sentence) => {
+      expect(broken((file) => change(net(file)['foldwright:motion']!))).toMatch(sentence);
+    },
+  );
+
+  it('a motion that goes beyond its folds', () => {
+    const overshoot = (file: FoldFile) => {
+      const { t, angles } = net(file)['foldwright:motion']!;
+      t.splice(1, 0, 0.5);
+      angles.splice(
+        1,
+        0,
+        angles[1]!.map((angle) => angle && 2 * angle),
+      );
+    };
+    expect(broken(overshoot)).toMatch(/folded further/);
   });
 
   it('a wrong unit', () => {

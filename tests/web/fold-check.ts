@@ -3,6 +3,7 @@
  * model? Recomputes everything from coordinates and shares no code with what writes the files.
  */
 import type { FoldFile, NetFrame } from './fold-file.js';
+import { checkMotion } from './motion-check.js';
 import { overlappingPairs } from './net-overlap.js';
 
 type Vector = number[];
@@ -385,5 +386,8 @@ function checkCoverage(file: FoldFile): string[] {
 /** One sentence for each thing that is wrong with the nets of a parsed FOLD file; none if it is good. */
 export function checkFold(file: FoldFile): string[] {
   const nets = file.file_frames.flatMap((net) => new NetCheck(file, net).run());
-  return [...checkHead(file), ...checkCoverage(file), ...nets];
+  // The motion of a net that is wrong in itself says nothing.
+  const motions =
+    nets.length === 0 ? file.file_frames.flatMap((net) => checkMotion(file, net)) : [];
+  return [...checkHead(file), ...checkCoverage(file), ...nets, ...motions];
 }

@@ -1,3 +1,11 @@
+/** How a net folds up: per key and edge an angle in degrees, null at cuts. */
+export interface FoldMotion {
+  root: number;
+  t: number[];
+  angles: (number | null)[][];
+  certified: boolean;
+}
+
 /** The parts of a FOLD file that the checks read; nothing here comes from the exporter. */
 export interface NetFrame {
   frame_classes: string[];
@@ -10,6 +18,7 @@ export interface NetFrame {
   'faces_foldwright:source': number[];
   'foldwright:piece': number;
   'foldwright:part': number;
+  'foldwright:motion'?: FoldMotion;
 }
 
 export interface FoldFile {
