@@ -19,7 +19,7 @@ test('all pictures are drawn by workers', () =>
       await studio.chooseSample('Heart');
       await studio.resultOf('heart');
       await page.getByText('How it was found').click();
-      for (const canvas of ['#model-canvas', '#matrix', '#net']) await studio.drawn(canvas);
+      for (const canvas of ['#model-picture', '#matrix', '#net']) await studio.drawn(canvas);
       const contexts = await page.evaluate(
         () => (globalThis as unknown as { contexts: string[] }).contexts,
       );
@@ -35,7 +35,7 @@ test('where workers cannot draw, the page does', () =>
       await studio.chooseSample('Heart');
       await studio.resultOf('heart');
       await studio.page.getByText('How it was found').click();
-      for (const canvas of ['#model-canvas', '#matrix', '#net']) await studio.drawn(canvas);
+      for (const canvas of ['#model-picture', '#matrix', '#net']) await studio.drawn(canvas);
       expect(studio.complaints).toEqual([]);
     },
     { script: 'delete HTMLCanvasElement.prototype.transferControlToOffscreen;' },
@@ -70,8 +70,8 @@ test('a model is turned and brought nearer by keys and by the mouse', () =>
     const { page } = studio;
     await studio.chooseSample('House');
     await studio.resultOf('house');
-    const canvas = page.locator('#model-canvas');
-    await studio.drawn('#model-canvas');
+    const canvas = page.locator('#model-picture');
+    await studio.drawn('#model-picture');
     const changes = async (action: () => Promise<unknown>): Promise<void> => {
       const before = await canvas.screenshot();
       await action();

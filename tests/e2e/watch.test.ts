@@ -34,10 +34,11 @@ test('model, foldability, net and fitness are drawn while a run goes on', () =>
     const words = await page.locator('#net-words').innerText();
     // Generations go on while one looks.
     await page.locator('#net-words', { hasNotText: words }).waitFor();
-    for (const canvas of ['#model-canvas', '#matrix', '#chart', '#net']) await studio.drawn(canvas);
+    for (const canvas of ['#model-picture', '#matrix', '#chart', '#net'])
+      await studio.drawn(canvas);
     await page.locator('#cancel').click();
     await page.locator('#announcement', { hasText: 'Cancelled.' }).waitFor();
-    await studio.drawn('#model-canvas');
+    await studio.drawn('#model-picture');
     expect(studio.complaints).toEqual([]);
   }));
 
@@ -53,7 +54,7 @@ test('a run can be ended in every stage, and the next one works', () =>
       expect(await page.locator('#message').isVisible()).toBe(false);
       await studio.chooseSample('Cube');
       await studio.resultOf('cube');
-      await studio.drawn('#model-canvas');
+      await studio.drawn('#model-picture');
     }
     expect(studio.complaints).toEqual([]);
   }));

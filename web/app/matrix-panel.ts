@@ -5,7 +5,7 @@ import { find } from './dom.js';
 /** The foldability matrix while it is learned, and with its blocks once it is clustered. */
 export class MatrixPanel {
   private readonly words = find('#matrix-words', HTMLElement);
-  private readonly picture = openPicture(find('#matrix', HTMLCanvasElement));
+  private readonly picture = openPicture(find('#matrix', HTMLElement));
   private empty = true;
 
   clear(): void {

@@ -15,10 +15,10 @@ const excuses: Readonly<Record<DrawingFailure, string>> = {
 /** The model in 3D. */
 export class ModelPanel {
   readonly figure = find('#model', HTMLElement);
-  private readonly canvas = find('#model-canvas', HTMLCanvasElement);
+  private readonly picture = find('#model-picture', HTMLElement);
   private readonly note = find('#model-note', HTMLElement);
   private readonly name = find('#model-name', HTMLElement);
-  private readonly view = modelView(this.canvas, (failure) => this.excuse(excuses[failure]));
+  private readonly view = modelView(this.picture, (failure) => this.excuse(excuses[failure]));
   /** Of the model that is shown. */
   private faceCount = 0;
 
@@ -56,7 +56,7 @@ export class ModelPanel {
   }
 
   private excuse(words: string): void {
-    this.canvas.hidden = true;
+    this.picture.hidden = true;
     this.note.textContent = words;
     this.note.hidden = false;
   }

@@ -12,7 +12,7 @@ export class NetPanel {
   private part = 0;
   private labels: Int32Array | null = null;
   private hatched = false;
-  private readonly picture = openPicture(find('#net', HTMLCanvasElement));
+  private readonly picture = openPicture(find('#net', HTMLElement));
 
   clear(): void {
     this.net = null;

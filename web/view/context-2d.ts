@@ -5,7 +5,7 @@ export type Context2d = CanvasRenderingContext2D | OffscreenCanvasRenderingConte
 export interface Canvas2d {
   width: number;
   height: number;
-  getContext(kind: '2d'): Context2d | null;
+  getContext(kind: '2d', options?: CanvasRenderingContext2DSettings): Context2d | null;
 }
 
 /** A square canvas, in pixels, that is on no page. */

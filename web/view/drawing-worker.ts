@@ -1,18 +1,21 @@
-import type { Drawer } from './drawing.js';
+import type { Drawer, SizeMessage } from './drawing.js';
 
 /**
- * A worker's side of a drawing: says first whether it is `able`, then gets the canvas, and from
- * then on what to draw on it.
+ * A worker's side of a drawing: gets the canvas, says whether it can draw on it, and from then on
+ * gets what to draw.
+ *
+ * @param make gives null where nothing can be drawn on such a canvas
  */
 export function serveDrawing<Message>(
-  able: boolean,
-  make: (canvas: OffscreenCanvas) => Drawer<Message>,
+  make: (canvas: OffscreenCanvas) => Drawer<Message> | null,
 ): void {
   let drawer: Drawer<Message> | null = null;
-  type Heard = Parameters<Drawer<Message>>[0] | OffscreenCanvas;
-  addEventListener('message', ({ data }: MessageEvent<Heard>) => {
-    if (data instanceof OffscreenCanvas) drawer = make(data);
-    else drawer?.(data);
+  addEventListener('message', ({ data }: MessageEvent<OffscreenCanvas | Message | SizeMessage>) => {
+    if (!(data instanceof OffscreenCanvas)) {
+      drawer?.(data);
+      return;
+    }
+    drawer = make(data);
+    postMessage(drawer !== null);
   });
-  postMessage(able);
 }

@@ -1,37 +1,33 @@
-import { watchSize, type CanvasSize } from './canvas-size.js';
+import { watchSize, type PictureSize } from './picture-size.js';
 
 /** Takes what there is to draw, in plain data. Sizes of the canvas come to every drawer. */
 export type Drawer<Message> = (message: Message | SizeMessage) => void;
 
-export type SizeMessage = { type: 'size' } & CanvasSize;
+export type SizeMessage = { type: 'size' } & PictureSize;
 
 /** Where a drawing may be made. */
 export interface Places<Message> {
   /** Starts a worker that keeps to `serveDrawing`. */
   worker: () => Worker;
-  /** Makes a drawer in this thread; null where that cannot be. */
+  /** Makes a drawer in this thread; null where nothing can be drawn. */
   here: (canvas: HTMLCanvasElement) => Promise<Drawer<Message> | null>;
 }
 
 /** Why there is nothing to see: nobody can draw it here, or whoever could has failed. */
 export type DrawingFailure = 'impossible' | 'broken';
 
-/** The worker, once it has said that it can draw; null and ended if it cannot, or not be loaded. */
-function whenAble(worker: Worker): Promise<Worker | null> {
+/** What a worker says first: whether it can draw. One that cannot be loaded cannot. */
+function isAble(worker: Worker): Promise<boolean> {
   return new Promise((resolve) => {
-    const settle = (able: boolean): void => {
-      if (!able) worker.terminate();
-      resolve(able ? worker : null);
-    };
     const once = { once: true };
-    worker.addEventListener('message', ({ data }: MessageEvent<boolean>) => settle(data), once);
-    worker.addEventListener('error', () => settle(false), once);
+    worker.addEventListener('message', ({ data }: MessageEvent<boolean>) => resolve(data), once);
+    worker.addEventListener('error', () => resolve(false), once);
   });
 }
 
 /**
- * A canvas that is drawn from messages: by a worker, so that the page stays free, or by the page
- * where workers cannot draw.
+ * Fills an element of the page with a picture that is drawn from messages: by a worker, so that the
+ * page stays free, or by the page where workers cannot draw.
  */
 export class Drawing<Message> {
   private opened = false;
@@ -40,7 +36,7 @@ export class Drawing<Message> {
   private drawer: Drawer<Message> = (message) => this.waiting.push(message);
 
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    private readonly frame: HTMLElement,
     private readonly places: Places<Message>,
     private readonly onFailure: (failure: DrawingFailure) => void,
   ) {}
@@ -50,7 +46,7 @@ export class Drawing<Message> {
     if (this.opened) return;
     this.opened = true;
     try {
-      const drawer = (await this.inWorker()) ?? (await this.places.here(this.canvas));
+      const drawer = (await this.inWorker()) ?? (await this.places.here(this.newCanvas()));
       if (drawer) this.begin(drawer);
       else this.fail('impossible');
     } catch (error) {
@@ -65,14 +61,24 @@ export class Drawing<Message> {
   }
 
   private async inWorker(): Promise<Drawer<Message> | null> {
-    if (!('transferControlToOffscreen' in this.canvas)) return null;
-    const worker = await whenAble(this.places.worker());
-    if (!worker) return null;
-    // From here on there is no way back: the page cannot draw on the canvas any more.
+    const canvas = this.newCanvas();
+    if (!('transferControlToOffscreen' in canvas)) return null;
+    const worker = this.places.worker();
+    const offscreen = canvas.transferControlToOffscreen();
+    worker.postMessage(offscreen, [offscreen]);
+    if (!(await isAble(worker))) {
+      worker.terminate();
+      return null;
+    }
     worker.addEventListener('error', () => this.fail('broken'));
-    const canvas = this.canvas.transferControlToOffscreen();
-    worker.postMessage(canvas, [canvas]);
     return (message) => worker.postMessage(message);
+  }
+
+  /** A canvas that was handed to a worker never comes back: each attempt needs one of its own. */
+  private newCanvas(): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    this.frame.replaceChildren(canvas);
+    return canvas;
   }
 
   private begin(drawer: Drawer<Message>): void {
@@ -80,7 +86,7 @@ export class Drawing<Message> {
     this.drawer = drawer;
     this.waiting = [];
     waiting.forEach(drawer);
-    watchSize(this.canvas, (size) => this.drawer({ type: 'size', ...size }));
+    watchSize(this.frame, (size) => this.drawer({ type: 'size', ...size }));
   }
 
   private fail(failure: DrawingFailure): void {

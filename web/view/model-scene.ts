@@ -10,7 +10,7 @@ import {
   Scene,
   WebGLRenderer,
 } from 'three';
-import type { CanvasSize } from './canvas-size.js';
+import type { PictureSize } from './picture-size.js';
 import type { SizeMessage } from './drawing.js';
 import { addPaint, paintFaces } from './face-paint.js';
 import { HatchMaterial } from './hatch-material.js';
@@ -47,8 +47,8 @@ export class ModelScene {
   private lastTurn = -Infinity;
 
   /** @param canvas of a document or, in a worker, without one */
-  constructor(canvas: HTMLCanvasElement | OffscreenCanvas) {
-    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: true });
+  constructor(canvas: HTMLCanvasElement | OffscreenCanvas, context: WebGL2RenderingContext) {
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.setClearAlpha(0);
     const sun = new DirectionalLight('#fff6e6', 2.1);
     sun.position.set(-0.7, 1, 0.9);
@@ -133,7 +133,7 @@ export class ModelScene {
     this.redraw.request();
   };
 
-  private resize({ width, height, density }: CanvasSize): void {
+  private resize({ width, height, density }: PictureSize): void {
     this.visible = width > 0 && height > 0;
     if (!this.visible) return;
     this.renderer.setPixelRatio(density);

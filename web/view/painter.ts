@@ -1,5 +1,5 @@
 import type { MatrixPicture } from '../model/job.js';
-import type { CanvasSize } from './canvas-size.js';
+import type { PictureSize } from './picture-size.js';
 import type { Canvas2d } from './context-2d.js';
 import type { SizeMessage } from './drawing.js';
 import { drawMatrix } from './matrix-picture.js';
@@ -16,7 +16,7 @@ const interval = 100;
 /** Draws a flat picture, sharp at any size; of what comes in a short time only the last. */
 export class Painter {
   private subject: PictureMessage = { type: 'nothing' };
-  private size: CanvasSize = { width: 0, height: 0, density: 1 };
+  private size: PictureSize = { width: 0, height: 0, density: 1 };
   private readonly redraw = new Redraw(() => this.draw(), interval);
 
   constructor(private readonly canvas: Canvas2d) {}
@@ -30,7 +30,9 @@ export class Painter {
   private draw(): void {
     const { subject } = this;
     const { width, height, density } = this.size;
-    const context = this.canvas.getContext('2d');
+    // Kept from the graphics card, which is slow at paths of thousands of corners: where software
+    // stands in for one, all else on the page would wait for them.
+    const context = this.canvas.getContext('2d', { willReadFrequently: true });
     if (!context || width === 0 || height === 0) return;
     // Setting the size clears the canvas, too, and resets its transform.
     this.canvas.width = Math.round(width * density);

@@ -2,7 +2,7 @@
 import { serveDrawing } from './drawing-worker.js';
 import { Painter, type PictureMessage } from './painter.js';
 
-serveDrawing<PictureMessage>(true, (canvas) => {
+serveDrawing<PictureMessage>((canvas) => {
   const painter = new Painter(canvas);
   return (message) => painter.take(message);
 });

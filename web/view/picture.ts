@@ -1,14 +1,14 @@
 import { Drawing } from './drawing.js';
 import { Painter, type PictureMessage } from './painter.js';
 
-/** A flat picture on a canvas of the page. Without it a run is of use, too: nothing fails. */
-export function openPicture(canvas: HTMLCanvasElement): Drawing<PictureMessage> {
+/** A flat picture in an element of the page. A run is of use without it, too: nothing fails. */
+export function openPicture(frame: HTMLElement): Drawing<PictureMessage> {
   const picture = new Drawing<PictureMessage>(
-    canvas,
+    frame,
     {
       worker: () => new Worker(new URL('./picture-worker.ts', import.meta.url), { type: 'module' }),
-      here: (own) => {
-        const painter = new Painter(own);
+      here: (canvas) => {
+        const painter = new Painter(canvas);
         return Promise.resolve((message) => painter.take(message));
       },
     },

@@ -28,22 +28,22 @@ interface Point {
   y: number;
 }
 
-/** Makes turns of what hands do to a picture: drag, pinch, roll the wheel, press keys. */
+/** Makes turns of what hands do to a picture in its frame: drag, pinch, roll the wheel, press keys. */
 export class TurnInput {
   /** Where mouse, pen and fingers hold the picture. */
   private readonly held = new Map<number, Point>();
 
   /** @param onTurn is also called when the picture is grabbed, with a turn that moves nothing */
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    private readonly frame: HTMLElement,
     private readonly onTurn: (turn: Turn) => void,
   ) {
-    canvas.addEventListener('pointerdown', (event) => this.grab(event));
-    canvas.addEventListener('pointermove', (event) => this.drag(event));
-    canvas.addEventListener('pointerup', ({ pointerId }) => this.held.delete(pointerId));
-    canvas.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
-    canvas.addEventListener('wheel', (event) => this.roll(event), { passive: false });
-    canvas.addEventListener('keydown', (event) => this.press(event));
+    frame.addEventListener('pointerdown', (event) => this.grab(event));
+    frame.addEventListener('pointermove', (event) => this.drag(event));
+    frame.addEventListener('pointerup', ({ pointerId }) => this.held.delete(pointerId));
+    frame.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
+    frame.addEventListener('wheel', (event) => this.roll(event), { passive: false });
+    frame.addEventListener('keydown', (event) => this.press(event));
   }
 
   private turn(turn: Partial<Turn>): void {
@@ -51,8 +51,8 @@ export class TurnInput {
   }
 
   private grab({ pointerId, clientX, clientY }: PointerEvent): void {
-    this.canvas.focus({ preventScroll: true });
-    this.canvas.setPointerCapture(pointerId);
+    this.frame.focus({ preventScroll: true });
+    this.frame.setPointerCapture(pointerId);
     this.held.set(pointerId, { x: clientX, y: clientY });
     this.turn({});
   }
@@ -68,13 +68,13 @@ export class TurnInput {
       this.turn({ away: span(from) / span(to) });
       return;
     }
-    const scale = fullTurn / this.canvas.clientHeight;
+    const scale = fullTurn / this.frame.clientHeight;
     this.turn({ around: scale * (from.x - to.x), down: scale * (from.y - to.y) });
   }
 
   private roll(event: WheelEvent): void {
     // The wheel belongs to the page until the model has been chosen.
-    if (document.activeElement !== this.canvas) return;
+    if (document.activeElement !== this.frame) return;
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
     const notches = (event.deltaY * (lines ? wheelLine : 1)) / wheelNotch;

@@ -1,0 +1,17 @@
+/** Of a picture on the page, in CSS pixels, and how many pixels each of them has. */
+export interface PictureSize {
+  width: number;
+  height: number;
+  density: number;
+}
+
+// More pixels than this cannot be seen and are slow to fill.
+const mostDense = 2;
+
+/** Tells the size of an element, at once and whenever it changes. */
+export function watchSize(frame: HTMLElement, tell: (size: PictureSize) => void): void {
+  new ResizeObserver(() => {
+    const { clientWidth: width, clientHeight: height } = frame;
+    tell({ width, height, density: Math.min(window.devicePixelRatio, mostDense) });
+  }).observe(frame);
+}
