@@ -66,8 +66,8 @@ export class ResultPanel {
   }
 
   /**
-   * Replaces the result on the page; returns its one-sentence summary, or null if a later result
-   * was quicker to draw.
+   * Replaces the result on the page, but for all sheets after the first; returns its one-sentence
+   * summary, or null if a later result was quicker to draw.
    */
   async show({ fileName, wishes, result }: FinishedRun): Promise<string | null> {
     const turn = ++this.turns;
@@ -98,5 +98,10 @@ export class ResultPanel {
     this.panel.dataset['hash'] = result.hash;
     this.panel.hidden = false;
     return lead;
+  }
+
+  /** Adds the other sheets. */
+  complete(): Promise<void> {
+    return this.sheets.complete();
   }
 }

@@ -27,6 +27,8 @@ function drawSheet(result: JobResult, index: number, source: string): HTMLElemen
 export class SheetList {
   private readonly list = find('#sheets', HTMLOListElement);
   private readonly zoom = find('#zoom', HTMLInputElement);
+  /** Sheets that were drawn, but are not on the page yet. */
+  private coming: HTMLLIElement[] = [];
 
   constructor() {
     this.zoom.addEventListener('input', () => this.resize());
@@ -34,10 +36,7 @@ export class SheetList {
     this.zoom.value = String(Math.min(this.zoom.valueAsNumber, window.innerWidth - 32));
   }
 
-  /**
-   * Draws all sheets with the exporter that also writes the files: screen and paper agree. Lets the
-   * page answer after each, as large ones take a while.
-   */
+  /** Draws all sheets with the exporter that also writes the files: screen and paper agree. */
   async draw(result: JobResult, writer: ResultWriter): Promise<HTMLLIElement[]> {
     const widest = Math.max(...result.sheets.map(({ width }) => width));
     const items: HTMLLIElement[] = [];
@@ -45,15 +44,23 @@ export class SheetList {
       const figure = drawSheet(result, index, await writer.sheet(index));
       figure.style.setProperty('--share', String(sheet.width / widest));
       items.push(make('li', { className: 'sheet' }, figure));
-      await nextFrame();
     }
     return items;
   }
 
-  /** Puts sheets that were drawn in the place of those before. */
+  /** Puts the first of the sheets that were drawn in the place of those before. */
   show(sheets: HTMLLIElement[]): void {
-    this.list.replaceChildren(...sheets);
+    this.list.replaceChildren(...sheets.slice(0, 1));
+    this.coming = sheets.slice(1);
     this.resize();
+  }
+
+  /** Adds the other sheets, one in each frame: all at once they would keep the page for too long. */
+  async complete(): Promise<void> {
+    while (this.coming.length > 0) {
+      await nextFrame();
+      this.list.append(...this.coming.splice(0, 1));
+    }
   }
 
   private resize(): void {

@@ -97,14 +97,12 @@ export class Studio {
       if (hasFocus) this.result.focus();
       return;
     }
-    // A whole result is worth more than a part of the next one.
-    if (outcome.type === 'cancelled' && outcome.best && !this.result.exists) {
-      const lead = await this.present({ fileName: name, wishes, result: outcome.best });
-      if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
-      return;
-    }
     if (outcome.type === 'cancelled') {
       this.leave('Cancelled. This is how far it came.', 'Cancelled.');
+      // A whole result is worth more than a part of the next one.
+      if (!outcome.best || this.result.exists) return;
+      const lead = await this.present({ fileName: name, wishes, result: outcome.best });
+      if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
       return;
     }
     this.leave('This is how far it came.', '');
@@ -138,7 +136,8 @@ export class Studio {
     });
     if (lead === null || this.runner.running) return null;
     this.workshop.finish(run.result);
-    return lead;
+    await this.result.complete();
+    return this.runner.running ? null : lead;
   }
 
   /** Tells a failed choice; anything else is a fault of the page and goes on as one. */
