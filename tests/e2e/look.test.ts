@@ -4,7 +4,6 @@ import { createRequire } from 'node:module';
 import type { AxeResults } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
 import { desktop, phone } from './studio-page.js';
 
@@ -33,14 +32,28 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await studio.picture(`${name}-1-before`);
     expect(await barriers(page)).toEqual([]);
 
-    await studio.choose('ring.obj', objText(wavyRing(60)));
-    await page.getByText('unfoldings tried').waitFor();
-    await studio.picture(`${name}-2-during`);
+    // Long enough to be looked at, and not to be filled in: it is folded away.
+    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '20000'));
+    await studio.chooseSample('Rabbit');
+    for (const picture of ['#model-picture', '#matrix']) await studio.drawn(picture);
+    await studio.picture(`${name}-2-learning`);
     expect(await barriers(page)).toEqual([]);
 
+    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = ''));
+    await page.fill('#parts', '2');
+    await page.selectOption('#solver', 'genetic');
+    await page.locator('#unfold').click();
+    await page.locator('#net-words', { hasText: 'generation' }).waitFor();
+    for (const picture of ['#net', '#chart']) await studio.drawn(picture);
+    await studio.picture(`${name}-3-searching`);
+    expect(await barriers(page)).toEqual([]);
+
+    await page.fill('#parts', '');
+    await page.selectOption('#solver', 'tree');
     await studio.chooseSample('Whale');
     await studio.resultOf('whale');
-    await studio.picture(`${name}-3-after`);
+    await studio.drawn('#model-picture');
+    await studio.picture(`${name}-4-after`);
     expect(await barriers(page)).toEqual([]);
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
