@@ -1,6 +1,6 @@
 import type { JobEvent, JobResult, NetPicture } from '../model/job.js';
+import { partColour } from '../model/part-colours.js';
 import { finishedNet } from '../view/finished-net.js';
-import { partColour } from '../view/part-colours.js';
 import { openPicture } from '../view/picture.js';
 import { find, make } from './dom.js';
 

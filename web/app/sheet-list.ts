@@ -1,6 +1,6 @@
 import type { JobResult } from '../model/job.js';
+import { partColour } from '../model/part-colours.js';
 import { pieceLetter } from '../model/piece-letter.js';
-import { partColour } from '../view/part-colours.js';
 import { partHatch } from '../view/part-hatches.js';
 import { sheetPicture } from '../view/sheet-picture.js';
 import { find, make } from './dom.js';

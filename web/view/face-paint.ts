@@ -1,5 +1,5 @@
 import { BufferAttribute, Color, SRGBColorSpace, type BufferGeometry } from 'three';
-import { partRgb } from './part-colours.js';
+import { partRgb } from '../model/part-colours.js';
 import { partHatch } from './part-hatches.js';
 
 /** Paper that belongs to no part yet. */

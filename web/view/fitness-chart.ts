@@ -1,5 +1,5 @@
+import { partColour } from '../model/part-colours.js';
 import type { FitnessHistory, FitnessPoint } from './fitness-history.js';
-import { partColour } from './part-colours.js';
 
 const svgNamespace = 'http://www.w3.org/2000/svg';
 

@@ -1,7 +1,7 @@
 import type { NetPicture } from '../model/job.js';
+import { partColour } from '../model/part-colours.js';
 import type { Context2d } from './context-2d.js';
 import { hatchFill } from './hatch-tile.js';
-import { partColour } from './part-colours.js';
 import { partHatch } from './part-hatches.js';
 
 const ink = '#232a31';
