@@ -61,6 +61,7 @@ test('parts can be told apart by hatches', () =>
     expect(await page.locator('.sheet .hatch').first().isVisible()).toBe(false);
     await page.locator('#hatch').check();
     expect(await page.locator('.sheet .hatch').first().isVisible()).toBe(true);
+    await studio.drawn('#model-picture');
     await studio.picture('hatched');
     expect(studio.complaints).toEqual([]);
   }));

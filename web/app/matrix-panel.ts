@@ -21,9 +21,7 @@ export class MatrixPanel {
 
   show(matrix: MatrixPicture): void {
     this.empty = false;
-    this.words.textContent = matrix.blocks
-      ? 'each frame is a part'
-      : 'darker: unfolds together more often';
+    this.words.textContent = matrix.blocks ? 'each frame is a part' : 'darker: more often together';
     this.picture.tell({ type: 'matrix', matrix });
   }
 }

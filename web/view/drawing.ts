@@ -77,12 +77,14 @@ export class Drawing<Message> {
   /** A canvas that was handed to a worker never comes back: each attempt needs one of its own. */
   private newCanvas(): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
-    this.frame.replaceChildren(canvas);
+    this.frame.append(canvas);
     return canvas;
   }
 
   private begin(drawer: Drawer<Message>): void {
     const { waiting } = this;
+    // What filled the frame until now, and attempts that failed, make room for the last one.
+    for (const other of [...this.frame.children].slice(0, -1)) other.remove();
     this.drawer = drawer;
     this.waiting = [];
     waiting.forEach(drawer);
