@@ -36,7 +36,7 @@ function withModel(
 describe.skipIf(!isBuilt)('a run of the command line', () => {
   it('writes every output and a report of them', () =>
     withModel(objText(cube), async (folder, model) => {
-      const paths = ['out.fold', 'out.svg', 'out.pdf'].map((name) => join(folder, name));
+      const paths = ['out.fold', 'out.svg', 'out.pdf', 'out.glb'].map((name) => join(folder, name));
       const report = join(folder, 'report.json');
       const outputs = paths.flatMap((path) => ['-o', path]);
       const args = [model, ...outputs, '--report', report, '--parts', '1', '--quiet'];
@@ -47,6 +47,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(readdirSync(folder).sort()).toEqual([
         'model.obj',
         'out.fold',
+        'out.glb',
         'out.pdf',
         'out.svg',
         'report.json',

@@ -54,7 +54,6 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--folding', 'maybe'], "option '--folding': 'maybe' is not require or prefer or off"],
     [['--clearance', '0.5'], "option '--clearance': '0.5' is not a number from 0.0001 to 0.2"],
     [['-o', 'out.dxf'], "'out.dxf': the format .dxf does not exist in this version yet"],
-    [['-o', 'out.glb'], "'out.glb': the format .glb does not exist in this version yet"],
     [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],

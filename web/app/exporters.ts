@@ -37,9 +37,13 @@ const exporters: Readonly<Record<string, Exporter>> = {
     const { writeFold } = await import('../export/fold.js');
     return { name: `${name}.fold`, content: writeFold(result), mediaType: 'application/json' };
   },
+  glb: async ({ result, name }) => {
+    const { writeGlb } = await import('../export/glb.js');
+    return { name: `${name}.glb`, content: writeGlb(result), mediaType: 'model/gltf-binary' };
+  },
 };
 
-/** Writes the result in a format: pdf, svg or fold. */
+/** Writes the result in a format: pdf, svg, fold or glb. */
 export function exportResult(format: string, input: ExportInput): Promise<ExportedFile> {
   const exporter = exporters[format];
   if (!exporter) throw new Error(`No exporter writes ${format}`);

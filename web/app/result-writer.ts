@@ -17,7 +17,7 @@ export class ResultWriter {
     return this.order({ type: 'sheet', sheet });
   }
 
-  /** All sheets in a format: pdf, svg or fold. */
+  /** All sheets in a format: pdf, svg, fold or glb. */
   file(format: string): Promise<ExportedFile> {
     return this.order({ type: 'file', format });
   }

@@ -13,7 +13,7 @@ export interface WriterInput {
 export type WriterOrder =
   /** One sheet as SVG, counted from 0. Answered by its text. */
   | { type: 'sheet'; sheet: number }
-  /** All sheets in a format: pdf, svg or fold. Answered by an `ExportedFile`. */
+  /** All sheets in a format: pdf, svg, fold or glb. Answered by an `ExportedFile`. */
   | { type: 'file'; format: string };
 
 export type WriterAnswer<Content> =

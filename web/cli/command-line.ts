@@ -53,7 +53,7 @@ function describe(): Command {
     .argument('<model>', 'OBJ, STL, OFF or PLY file')
     .option(
       '-o, --output <file>',
-      'write a .fold, .svg or .pdf file; may be given several times',
+      'write a .fold, .svg, .pdf or .glb file; may be given several times',
       (file: string, files: string[] = []) => [...files, file],
     )
     .option('--report <file>', 'write a report as JSON')

@@ -1,6 +1,7 @@
 import { basename, extname } from 'node:path';
 import type { JobResult } from '../model/job.js';
 import { writeFold } from '../export/fold.js';
+import { writeGlb } from '../export/glb.js';
 import { sheetName } from '../export/sheet-name.js';
 import { writeSvg } from '../export/svg.js';
 import { usageError } from './exit.js';
@@ -40,9 +41,10 @@ const renderers: Record<string, Renderer> = {
   '.fold': (path, result) => [{ path, content: writeFold(result) }],
   '.svg': renderSvg,
   '.pdf': renderPdf,
+  '.glb': (path, result) => [{ path, content: writeGlb(result) }],
 };
 
-const laterFormats = ['.dxf', '.png', '.glb'];
+const laterFormats = ['.dxf', '.png'];
 
 function formatOf(path: string): string {
   return extname(path).toLowerCase();
