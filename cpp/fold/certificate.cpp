@@ -8,11 +8,11 @@
 namespace foldwright {
 namespace {
 
-// Intervals to start from: a coarser cut leaves too many pairs to the halving, a finer one lays the
-// net out too often.
-constexpr int kSlicesOfSmall = 64;
-constexpr int kSlicesOfLarge = 128;
-constexpr int kLarge = 600;  // faces
+// Slices to start from, per radian that the folds between the root and the farthest panel turn: a
+// coarser cut leaves too many pairs to the halving, a finer one lays the net out too often.
+constexpr double kSlicesPerRadian = 5;
+constexpr int kFewestSlices = 16;
+constexpr int kMostSlices = 2000;
 
 // Halvings of a slice: true distances of a ten-thousandth of an edge exist.
 constexpr int kDeepest = 22;
@@ -21,8 +21,38 @@ constexpr int kDeepest = 22;
 constexpr std::size_t kEnoughCounterexamples = 4;
 constexpr double kApartInTime = 0.03;
 
+// Shapes that are looked at before anything is proved, since that is far cheaper; closer together
+// towards the end, where most motions fail.
+constexpr int kGlances = 32;
+
 // Added to every bound, in mean edge lengths: far above rounding, far below any clearance.
 constexpr double kSlack = 1e-9;
+
+/// What a face covers along an axis: now, and at both ends of an interval.
+struct Shadow {
+  double low, high, low_before, high_before, low_after, high_after;
+};
+
+Shadow shadow(const Vec3& axis, const Triangle3& face, const Triangle3& way, const Vec3& origin) {
+  std::array<double, 3> at, move;
+  for (int i = 0; i < 3; ++i) {
+    at[i] = axis.dot(face[i] - origin);
+    move[i] = axis.dot(way[i]);
+  }
+  const auto [low, high] = std::minmax({at[0], at[1], at[2]});
+  const auto [low_before, high_before] =
+      std::minmax({at[0] - move[0], at[1] - move[1], at[2] - move[2]});
+  const auto [low_after, high_after] =
+      std::minmax({at[0] + move[0], at[1] + move[1], at[2] + move[2]});
+  return {low, high, low_before, high_before, low_after, high_after};
+}
+
+template <int N, class Triangle>
+Box<N> box_of_all(std::span<const Triangle> triangles) {
+  Box<N> all = box_of(triangles[0]);
+  for (const Triangle& triangle : triangles) all = all.joined(box_of(triangle));
+  return all;
+}
 
 }  // namespace
 
@@ -35,32 +65,43 @@ Certificate::Certificate(const Foldable& foldable, std::span<const int> folds, L
       graph_(foldable.graph),
       tree_(hang_tree(*graph_, folds, tree_centre(*graph_, folds))),
       leg_(std::move(leg)),
-      slices_(static_cast<int>(graph_->faces.size()) < kLarge ? kSlicesOfSmall : kSlicesOfLarge),
-      rates_(graph_->panel_count(), 0),
       depth_(graph_->panel_count(), 0),
       rank_(graph_->panel_count(), 0),
+      rates_(graph_->panel_count(), 0),
+      turning_(graph_->panel_count(), 0),
+      bending_(graph_->panel_count(), 0),
+      length_(graph_->panel_count(), 0),
       places_(graph_->panel_count()),
-      points_(graph_->panel_count()),
-      axes_(graph_->panel_count()),
+      twists_(graph_->panel_count()),
       faces_(graph_->faces.size()),
-      centres_(graph_->faces.size()),
       is_needed_(graph_->panel_count(), 0) {
   for (int panel = 0; panel < graph_->panel_count(); ++panel) {
-    for (int i = graph_->first_face[panel]; i < graph_->first_face[panel + 1]; ++i) {
-      const Triangle2& face = foldable.faces[i];
-      const Vec2 centroid = (face[0] + face[1] + face[2]) / 3;
-      panel_of_.push_back(panel);
-      centroids_.push_back(centroid);
-      radii_.push_back(std::max(
-          {(face[0] - centroid).norm(), (face[1] - centroid).norm(), (face[2] - centroid).norm()}));
-    }
+    panel_of_.insert(panel_of_.end(), graph_->panel_faces(panel).size(), panel);
   }
-  for (std::size_t i = 1; i < tree_.order.size(); ++i) {
+  measure_panels();
+  const double most = *std::max_element(turning_.begin(), turning_.end());
+  slices_ =
+      static_cast<int>(std::clamp<double>(kSlicesPerRadian * most, kFewestSlices, kMostSlices));
+}
+
+void Certificate::measure_panels() {
+  for (std::size_t i = 0; i < tree_.order.size(); ++i) {
     const int panel = tree_.order[i];
-    const int hinge = tree_.hinge[panel];
-    rates_[panel] = std::abs(leg_.to[hinge] - leg_.from[hinge]);
-    depth_[panel] = depth_[tree_.parent[panel]] + 1;
+    const double diameter = box_of_all<2>(graph_->panel_triangles(panel)).diagonal();
+    longest_ = std::max(longest_, diameter);
+    length_[panel] = diameter;
     rank_[panel] = static_cast<int>(i);
+    const int parent = tree_.parent[panel];
+    if (parent == -1) continue;
+    const int hinge = tree_.hinge[panel];
+    const double rate = leg_.to[hinge] - leg_.from[hinge];
+    // Turning forwards about its axis takes the hinge's second panel down; see `fold_beside`.
+    rates_[panel] = graph_->hinges[hinge].panels[1] == panel ? -rate : rate;
+    depth_[panel] = depth_[parent] + 1;
+    turning_[panel] = turning_[parent] + std::abs(rate);
+    bending_[panel] =
+        bending_[parent] + std::abs(rate) * (3 * turning_[panel] - 2 * std::abs(rate));
+    length_[panel] += length_[parent];
   }
 }
 
@@ -68,13 +109,28 @@ Certificate::State Certificate::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
     if (!stack_.empty()) {
       work -= halve();
-    } else if (slices_done_ < slices_ && counterexamples_.size() < kEnoughCounterexamples) {
+    } else if (glances_ < kGlances && counterexamples_.size() < kEnoughCounterexamples) {
+      work -= glance();
+    } else if (!counterexamples_.empty()) {
+      state_ = State::kRefuted;
+    } else if (slices_done_ < slices_) {
       work -= begin_slice();
     } else {
-      state_ = counterexamples_.empty() ? State::kCertified : State::kRefuted;
+      state_ = State::kCertified;
     }
   }
   return state_;
+}
+
+/// Looks whether faces meet at one sampled shape.
+int Certificate::glance() {
+  const double u = (glances_++ + 0.5) / kGlances;
+  const double s = 1 - u * u;
+  const auto near = [s](double t) { return std::abs(s - t) < kApartInTime; };
+  if (std::any_of(counterexamples_.begin(), counterexamples_.end(), near)) return 1;
+  for (const int panel : tree_.order) place(panel, s);
+  if (!colliding_panels(*foldable_, tree_, places_).empty()) counterexamples_.push_back(s);
+  return static_cast<int>(faces_.size());
 }
 
 /// Looks at the next slice as a whole; late ones come first, since most motions fail late.
@@ -82,30 +138,76 @@ int Certificate::begin_slice() {
   const double r = 0.5 / slices_;
   const double s = 1 - (2 * slices_done_ + 1) * r;
   ++slices_done_;
-  const auto near = [s](double t) { return std::abs(s - t) < kApartInTime; };
-  if (std::any_of(counterexamples_.begin(), counterexamples_.end(), near)) return 1;
-  place_all(s);
-  std::vector<Box3> boxes;
-  for (std::size_t face = 0; face < faces_.size(); ++face) {
-    const double reach = reach_to_root(static_cast<int>(face), r) + kSlack * graph_->unit;
-    boxes.push_back(box_of(faces_[face]).grown(reach));
-  }
+  for (const int panel : tree_.order) place(panel, s);
+  bound_extent(r);
   std::vector<Pair> open;
-  int judged = 0;
-  for (const Pair& pair : meeting_boxes(boxes)) {
-    const int a = panel_of_[pair[0]];
-    const int b = panel_of_[pair[1]];
-    if (a == b || tree_.parent[a] == b || tree_.parent[b] == a) continue;
-    ++judged;
+  const std::vector<Pair> pairs = near_pairs(r);
+  for (const Pair& pair : pairs) {
     const Verdict verdict = judge(pair, r);
-    if (verdict == Verdict::kMeet) {
-      refute(s);
-      return judged;
-    }
-    if (verdict == Verdict::kUndecided) open.push_back(pair);
+    if (verdict == Verdict::kApart) continue;
+    open.push_back(pair);
+    if (verdict == Verdict::kUndecided) continue;
+    refute(s);
+    open.clear();
+    break;
   }
   push_halves({s, r, 0, {}}, std::move(open));
-  return static_cast<int>(faces_.size()) + judged;
+  return static_cast<int>(faces_.size() + pairs.size() / 4);
+}
+
+/// Pairs of faces whose boxes, as they are swept while every fold turns for `r`, meet.
+std::vector<Certificate::Pair> Certificate::near_pairs(double r) const {
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const int panel = panel_of_[i];
+    const double error = 0.5 * r * r * curving(panel, tree_.order[0]);
+    Box3 box = box_of(faces_[i]);
+    for (const Vec3& corner : faces_[i]) {
+      const Vec3 way = r * twists_[panel].at(corner);
+      for (int k = 0; k < 3; ++k) {
+        box.min[k] = std::min(box.min[k], corner[k] - std::abs(way[k]));
+        box.max[k] = std::max(box.max[k], corner[k] + std::abs(way[k]));
+      }
+    }
+    boxes.push_back(box.grown(error + kSlack * graph_->unit));
+  }
+  std::vector<Pair> pairs;
+  for (const auto& [i, j] : meeting_boxes(boxes)) {
+    const int a = panel_of_[i];
+    const int b = panel_of_[j];
+    if (a == b || tree_.parent[a] == b || tree_.parent[b] == a) continue;
+    pairs.push_back({i, j, meeting_panel(a, b)});
+  }
+  return pairs;
+}
+
+int Certificate::meeting_panel(int a, int b) const {
+  while (a != b) {
+    int& lower = depth_[a] >= depth_[b] ? a : b;
+    lower = tree_.parent[lower];
+  }
+  return a;
+}
+
+/// Bounds how far apart two points of the net are while every fold turns for `r`: a distance grows
+/// no faster than by the turning of the folds at its two ends times the extent itself.
+void Certificate::bound_extent(double r) {
+  // Faces are eroded; hinges and corners lie within the largest panel's diameter of them.
+  const double now = box_of_all<3>(std::span<const Triangle3>(faces_)).diagonal() + 2 * longest_;
+  const double most = *std::max_element(turning_.begin(), turning_.end());
+  extent_ = now * std::exp(2 * most * r);
+}
+
+/// Bound of the acceleration of a panel's points, seen from panel `frame` above it.
+///
+/// With folds 1..m on the way down that turn at rates w_k about axes at most D from the point, the
+/// second derivative of its place is a sum over pairs of folds, at most
+/// D sum_k |w_k| (2 W_(k-1) + W_k), where W_k = |w_1| + .. + |w_k|.
+double Certificate::curving(int panel, int frame) const {
+  const double turning = turning_[panel] - turning_[frame];
+  const double bending = bending_[panel] - bending_[frame] - 3 * turning_[frame] * turning;
+  const double reach = std::min(extent_, length_[panel] - length_[frame]);
+  return std::max(0.0, bending) * reach;
 }
 
 /// Looks at the open pairs of one half of an interval.
@@ -140,14 +242,10 @@ void Certificate::refute(double s) {
   stack_.clear();
 }
 
-void Certificate::place_all(double s) {
-  for (const int panel : tree_.order) place(panel, s);
-}
-
 int Certificate::place_some(double s, std::span<const Pair> pairs) {
   needed_.clear();
   for (const Pair& pair : pairs) {
-    for (const int face : pair) {
+    for (const int face : {pair.a, pair.b}) {
       for (int p = panel_of_[face]; p != -1 && !is_needed_[p]; p = tree_.parent[p]) {
         is_needed_[p] = 1;
         needed_.push_back(p);
@@ -169,67 +267,47 @@ void Certificate::place(int panel, double s) {
     const double angle = leg_.from[hinge] + s * (leg_.to[hinge] - leg_.from[hinge]);
     places_[panel] = places_[parent] * fold_beside(*foldable_, hinge, panel, angle);
     const RigidMotion3& frame = places_[graph_->hinges[hinge].panels[0]];
-    points_[panel] = frame(foldable_->points[hinge]);
-    axes_[panel] = frame.r * foldable_->axes[hinge];
+    const Vec3 turn = rates_[panel] * (frame.r * foldable_->axes[hinge]);
+    const Vec3 point = frame(foldable_->points[hinge]);
+    twists_[panel] = {twists_[parent].turn + turn, twists_[parent].shift + point.cross(turn)};
   }
   for (int i = graph_->first_face[panel]; i < graph_->first_face[panel + 1]; ++i) {
     faces_[i] = moved(places_[panel], foldable_->faces[i]);
-    centres_[i] = (faces_[i][0] + faces_[i][1] + faces_[i][2]) / 3;
   }
 }
 
-/// How far a face may move relative to the root while every fold turns for `r`.
-double Certificate::reach_to_root(int face, double r) const {
-  double reach = 0;
-  for (int p = panel_of_[face]; tree_.parent[p] != -1; p = tree_.parent[p]) {
-    const double distance = (centres_[face] - points_[p]).cross(axes_[p]).norm() + radii_[face];
-    reach += r * rates_[p] * (distance + reach);
+/// Whether two faces stay apart while every fold turns for `r`, seen from the panel where their
+/// ways meet: when some direction separates them at both ends of the interval, as their velocities
+/// take them there, by more than the error. In between they are apart by no less.
+Certificate::Verdict Certificate::judge(const Pair& pair, double r) const {
+  const int panel_a = panel_of_[pair.a];
+  const int panel_b = panel_of_[pair.b];
+  const Triangle3& a = faces_[pair.a];
+  const Triangle3& b = faces_[pair.b];
+  const double error = 0.5 * r * r * (curving(panel_a, pair.meet) + curving(panel_b, pair.meet)) +
+                       kSlack * graph_->unit;
+  const Twist& frame = twists_[pair.meet];
+  Triangle3 way_a, way_b;
+  for (int i = 0; i < 3; ++i) {
+    way_a[i] = r * (twists_[panel_a].at(a[i]) - frame.at(a[i]));
+    way_b[i] = r * (twists_[panel_b].at(b[i]) - frame.at(b[i]));
   }
-  return reach;
-}
-
-/// How much nearer two faces may come while every fold turns for `r`.
-///
-/// Seen from between two folds of the path, face a moves by at most A and face b by at most B, each
-/// summed from the face on: turning by q about an axis moves what is d away, and has moved by A, by
-/// at most q (d + A). The best place to look from is taken.
-double Certificate::relative_motion(int a, int b, double r) {
-  path_.clear();
-  up_b_.clear();
-  int p = panel_of_[a];
-  int q = panel_of_[b];
-  while (p != q) {
-    int& lower = depth_[p] >= depth_[q] ? p : q;
-    (&lower == &p ? path_ : up_b_).push_back(lower);
-    lower = tree_.parent[lower];
-  }
-  // Panels whose folds to their parents make the path from a to b.
-  path_.insert(path_.end(), up_b_.rbegin(), up_b_.rend());
-
-  const auto add_fold = [&](int panel, int face, double reach) {
-    const double distance =
-        (centres_[face] - points_[panel]).cross(axes_[panel]).norm() + radii_[face];
-    return reach + r * rates_[panel] * (distance + reach);
-  };
-  reach_.assign(1, 0);
-  for (const int panel : path_) reach_.push_back(add_fold(panel, a, reach_.back()));
-  double least = reach_.back();
-  double reach = 0;
-  for (std::size_t k = path_.size(); k > 0; --k) {
-    reach = add_fold(path_[k - 1], b, reach);
-    least = std::min(least, reach_[k - 1] + reach);
-  }
-  return least;
-}
-
-Certificate::Verdict Certificate::judge(const Pair& pair, double r) {
-  const auto [a, b] = pair;
-  const double bound = relative_motion(a, b, r) + kSlack * graph_->unit;
-  const double between = (centres_[a] - centres_[b]).norm() - radii_[a] - radii_[b];
-  if (between > bound) return Verdict::kApart;
-  const double gap = separation(faces_[a], faces_[b], bound);
-  if (gap > bound) return Verdict::kApart;
-  return gap > 0 ? Verdict::kUndecided : Verdict::kMeet;
+  bool apart_now = false;
+  bool apart_always = false;
+  for_separating_axes(a, b, [&](const Vec3& axis) {
+    const Shadow now_a = shadow(axis, a, way_a, a[0]);
+    const Shadow now_b = shadow(axis, b, way_b, a[0]);
+    const double gap = std::max(now_b.low - now_a.high, now_a.low - now_b.high);
+    if (gap <= 0) return false;
+    apart_now = true;
+    const double least = std::max(
+        std::min(now_b.low_before - now_a.high_before, now_b.low_after - now_a.high_after),
+        std::min(now_a.low_before - now_b.high_before, now_a.low_after - now_b.high_after));
+    apart_always = least > 0 && least * least > error * error * axis.squaredNorm();
+    return apart_always;
+  });
+  if (apart_always) return Verdict::kApart;
+  return apart_now ? Verdict::kUndecided : Verdict::kMeet;
 }
 
 }  // namespace foldwright

@@ -20,10 +20,11 @@ Leg straight_leg(const DualGraph& graph);
 /// joined by a fold are exempt, no others. Certified means: for every s in [0, 1], not for samples
 /// only, the faces of all other pairs are disjoint.
 ///
-/// Method: around a sampled s, no point of one face comes nearer to another by more than a bound
-/// summed over the folds on the tree path between them, each turning by at most so much at so far a
-/// distance. Where the faces are farther apart than that, the pair is done for the interval; else
-/// the interval is halved. Cost: near-linear in faces and in the logarithm of the least distance.
+/// Method: around a sampled s, each point of a face moves relative to another face as its velocity
+/// there says, up to an error that grows with the square of the time and is bounded from how far
+/// the folds between the two turn. Where a direction separates the two faces all the while, the
+/// pair is done for the interval; else the interval is halved. Cost: near-linear in faces and in
+/// the logarithm of the least distance.
 class Certificate {
  public:
   /// `foldable` must outlive this object. \pre `folds` spans its graph
@@ -42,7 +43,10 @@ class Certificate {
   double progress() const { return static_cast<double>(slices_done_) / slices_; }
 
  private:
-  using Pair = std::array<int, 2>;  ///< faces, as the graph counts them
+  /// Two faces, as the graph counts them, and the panel where their ways to the root meet.
+  struct Pair {
+    int a, b, meet;
+  };
   /// An interval [s - r, s + r] and the pairs that are not done there.
   struct Interval {
     double s, r;
@@ -50,16 +54,25 @@ class Certificate {
     std::vector<Pair> pairs;
   };
   enum class Verdict { kApart, kUndecided, kMeet };
+  /// Velocity of a rigid body in motion: `turn` x p + `shift` at point p.
+  struct Twist {
+    Vec3 turn = Vec3::Zero();
+    Vec3 shift = Vec3::Zero();
+    Vec3 at(const Vec3& p) const { return turn.cross(p) + shift; }
+  };
 
+  void measure_panels();
+  int glance();
   int begin_slice();
   int halve();
-  /// Folds the panels up to s: all of them, or those between the pairs.
-  void place_all(double s);
+  std::vector<Pair> near_pairs(double r) const;
+  int meeting_panel(int a, int b) const;
+  /// Folds the panels up to s that lie between the pairs.
   int place_some(double s, std::span<const Pair> pairs);
   void place(int panel, double s);
-  double reach_to_root(int face, double r) const;
-  double relative_motion(int a, int b, double r);
-  Verdict judge(const Pair& pair, double r);
+  void bound_extent(double r);
+  double curving(int panel, int frame) const;
+  Verdict judge(const Pair& pair, double r) const;
   void push_halves(const Interval& interval, std::vector<Pair> pairs);
   void refute(double s);
 
@@ -68,27 +81,28 @@ class Certificate {
   RootedTree tree_;
   Leg leg_;
   State state_ = State::kRunning;
-  int slices_;
+  int slices_ = 1;
   int slices_done_ = 0;
+  int glances_ = 0;
   std::vector<Interval> stack_;
   std::vector<double> counterexamples_;
 
   std::vector<int> panel_of_;      ///< per face
-  std::vector<Vec2> centroids_;    ///< per face, in its panel's coordinates
-  std::vector<double> radii_;      ///< per face: of a circle about its centroid
-  std::vector<double> rates_;      ///< per panel: how far its fold to the parent turns over the leg
   std::vector<int> depth_, rank_;  ///< per panel: below the root; in the tree's order
+  std::vector<double> rates_;      ///< per panel: how far its fold to the parent turns over the leg
+  /// Per panel, summed over the panels on the way from the root: how far folds turn, how that bends
+  /// what hangs from them (see `curving`), and the panels' diameters.
+  std::vector<double> turning_, bending_, length_;
+  double longest_ = 0;  ///< diameter of the largest panel
 
   // At the s looked at last:
   FoldedLayout places_;
-  std::vector<Vec3> points_, axes_;  ///< per panel: line of the fold to its parent
+  std::vector<Twist> twists_;  ///< per panel, relative to the root
   std::vector<Triangle3> faces_;
-  std::vector<Vec3> centres_;
+  double extent_ = 0;  ///< no two points of the net are farther apart in this slice
 
   std::vector<int> needed_;  ///< scratch
   std::vector<char> is_needed_;
-  std::vector<int> path_, up_b_;
-  std::vector<double> reach_;
 };
 
 }  // namespace foldwright

@@ -1,29 +1,9 @@
 #include "geometry/triangle3.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace foldwright {
 namespace {
-
-/// Calls `visit(axis)` for directions along which disjoint triangles are apart, likely ones first,
-/// until it returns true. Axes are not normalised and may vanish.
-template <class Visit>
-void for_axes(const Triangle3& a, const Triangle3& b, Visit&& visit) {
-  const std::array<Vec3, 3> edges_a = {a[1] - a[0], a[2] - a[1], a[0] - a[2]};
-  const std::array<Vec3, 3> edges_b = {b[1] - b[0], b[2] - b[1], b[0] - b[2]};
-  const Vec3 normal_a = edges_a[0].cross(edges_a[1]);
-  const Vec3 normal_b = edges_b[0].cross(edges_b[1]);
-  if (visit(normal_a) || visit(normal_b)) return;
-  for (int i = 0; i < 3; ++i) {
-    if (visit(edges_a[i].cross(normal_a)) || visit(edges_b[i].cross(normal_b))) return;
-  }
-  for (const Vec3& edge_a : edges_a) {
-    for (const Vec3& edge_b : edges_b) {
-      if (visit(edge_a.cross(edge_b))) return;
-    }
-  }
-}
 
 /// Gap between the projections on an axis, in units of its length; negative when they meet.
 double gap_along(const Vec3& axis, const Triangle3& a, const Triangle3& b) {
@@ -78,20 +58,8 @@ Triangle2 eroded(const Triangle2& t, double depth, double least) {
 
 bool triangles_meet(const Triangle3& a, const Triangle3& b) {
   bool apart = false;
-  for_axes(a, b, [&](const Vec3& axis) { return apart = gap_along(axis, a, b) > 0; });
+  for_separating_axes(a, b, [&](const Vec3& axis) { return apart = gap_along(axis, a, b) > 0; });
   return !apart;
-}
-
-double separation(const Triangle3& a, const Triangle3& b, double enough) {
-  double best = -std::numeric_limits<double>::infinity();
-  const auto try_axis = [&](const Vec3& axis) {
-    const double length = axis.norm();
-    if (length > 0) best = std::max(best, gap_along(axis, a, b) / length);
-    return best > enough;
-  };
-  const Vec3 between = (b[0] + b[1] + b[2] - a[0] - a[1] - a[2]) / 3;
-  if (!try_axis(between)) for_axes(a, b, try_axis);
-  return best;
 }
 
 }  // namespace foldwright

@@ -27,9 +27,23 @@ Triangle2 eroded(const Triangle2& t, double depth, double least);
 /// triangles in one plane the normals of their edges in it.
 bool triangles_meet(const Triangle3& a, const Triangle3& b);
 
-/// Lower bound of the distance of two triangles, by the same axes; not positive when they meet.
-/// Stops at the first axis with a gap of more than `enough`. It is at least about half of the
-/// distance, since some axis is that close to the line between the nearest points.
-double separation(const Triangle3& a, const Triangle3& b, double enough);
+/// Calls `visit(axis)` for directions along which disjoint triangles are apart, likely ones first,
+/// until it returns true. Axes are not normalised and may vanish.
+template <class Visit>
+void for_separating_axes(const Triangle3& a, const Triangle3& b, Visit&& visit) {
+  const std::array<Vec3, 3> edges_a = {a[1] - a[0], a[2] - a[1], a[0] - a[2]};
+  const std::array<Vec3, 3> edges_b = {b[1] - b[0], b[2] - b[1], b[0] - b[2]};
+  const Vec3 normal_a = edges_a[0].cross(edges_a[1]);
+  const Vec3 normal_b = edges_b[0].cross(edges_b[1]);
+  if (visit(normal_a) || visit(normal_b)) return;
+  for (int i = 0; i < 3; ++i) {
+    if (visit(edges_a[i].cross(normal_a)) || visit(edges_b[i].cross(normal_b))) return;
+  }
+  for (const Vec3& edge_a : edges_a) {
+    for (const Vec3& edge_b : edges_b) {
+      if (visit(edge_a.cross(edge_b))) return;
+    }
+  }
+}
 
 }  // namespace foldwright
