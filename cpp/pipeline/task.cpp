@@ -44,25 +44,26 @@ std::shared_ptr<const Surface> make_surface(int key, Mesh mesh) {
 TaskRunner::TaskRunner(Task task)
     : task_(std::move(task)), graph_(restrict_to(task_.surface->graph, task_.panels)) {
   const Mesh& mesh = task_.surface->mesh;
-  std::visit(
-      Overloaded{
-          [&](const LearnTask& learn) {
-            run_.emplace<FoldabilityLearner>(mesh, graph_, learn.options, learn.first_run,
-                                             learn.last_run);
-          },
-          [&](const SearchTask& search) { run_.emplace<TreeSearch>(mesh, graph_, search.options); },
-          [&](const GeneticTask& search) {
-            run_.emplace<GeneticSearch>(mesh, graph_, search.options);
-          },
-          [&](const ExchangeTask& exchange) {
-            run_.emplace<BorderExchange>(mesh, graph_, exchange.parts, exchange.options);
-          },
-          [&](const PlanTask& plan) {
-            foldable_ = make_foldable(graph_, plan.clearance);
-            run_.emplace<MotionPlanner>(*foldable_, plan.folds, plan.seed);
-          },
-      },
-      task_.work);
+  std::visit(Overloaded{
+                 [&](const LearnTask& learn) {
+                   run_.emplace<FoldabilityLearner>(mesh, graph_, learn.options, learn.first_run,
+                                                    learn.last_run);
+                 },
+                 [&](const SearchTask& search) {
+                   run_.emplace<TreeSearch>(mesh, graph_, search.options, search.initial);
+                 },
+                 [&](const GeneticTask& search) {
+                   run_.emplace<GeneticSearch>(mesh, graph_, search.options);
+                 },
+                 [&](const ExchangeTask& exchange) {
+                   run_.emplace<BorderExchange>(mesh, graph_, exchange.parts, exchange.options);
+                 },
+                 [&](const PlanTask& plan) {
+                   foldable_ = make_foldable(graph_, plan.clearance);
+                   run_.emplace<MotionPlanner>(*foldable_, plan.folds, plan.seed);
+                 },
+             },
+             task_.work);
 }
 
 bool TaskRunner::step(std::int64_t work) {

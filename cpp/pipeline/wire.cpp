@@ -55,7 +55,9 @@ void each_field(T& value, F& f) {
   } else if constexpr (is_any_of<T, TreeSearchOptions>) {
     f(value.starts), f(value.temperature), f(value.patience), f(value.good_enough);
     f(value.clearance), f(value.seed);
-  } else if constexpr (is_any_of<T, SearchTask, GeneticTask>) {
+  } else if constexpr (is_any_of<T, SearchTask>) {
+    f(value.options), f(value.initial);
+  } else if constexpr (is_any_of<T, GeneticTask>) {
     f(value.options);
   } else if constexpr (is_any_of<T, GeneticOptions>) {
     f(value.population), f(value.offspring), f(value.generations), f(value.tournament);

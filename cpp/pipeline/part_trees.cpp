@@ -1,0 +1,132 @@
+#include "pipeline/part_trees.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace foldwright {
+namespace {
+
+constexpr std::uint64_t kExchange = 4;  // names the border exchange in task_seed
+
+// Exchanges of one part: the first gives it a net, another one, if need be, a net that folds.
+constexpr int kMostExchanges = 3;
+
+}  // namespace
+
+PartTrees::PartTrees(const JobState& state) : first_part_{0} {
+  for (const Component& component : state.components) {
+    first_part_.push_back(first_part_.back() + foldwright::part_count(component.labels));
+  }
+}
+
+int PartTrees::component_of(int part) const {
+  const auto above = std::upper_bound(first_part_.begin(), first_part_.end(), part);
+  return static_cast<int>(above - first_part_.begin()) - 1;
+}
+
+Region PartTrees::region(const JobState& state, int part) const {
+  Region region;
+  region.component = component_of(part);
+  region.part = part;
+  const Labels& labels = state.components[region.component].labels;
+  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
+    if (first_part_[region.component] + labels[panel] == part) region.panels.push_back(panel);
+  }
+  return region;
+}
+
+void PartTrees::label_faces(JobState& state) const {
+  for (std::size_t c = 0; c < state.components.size(); ++c) {
+    const Component& component = state.components[c];
+    for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
+      for (const int face : component.graph.panel_faces(panel)) {
+        state.result.labels[face] = first_part_[c] + component.labels[panel];
+      }
+    }
+  }
+}
+
+void PartTrees::settle(int part, FoundNet net) { trees_[part] = {std::move(net), 0, 0}; }
+
+void PartTrees::leave_open(Region region, Candidate candidate) {
+  const int part = region.part;
+  (exchanges_[part] < kMostExchanges ? waiting_ : uncured_).insert(part);
+  trees_[part] = {{std::move(region), std::move(candidate.folds), std::move(candidate.motion)},
+                  candidate.overlaps,
+                  candidate.shortfall};
+}
+
+bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
+  if (waiting_.empty()) return false;
+  const int part = *waiting_.begin();
+  waiting_.erase(waiting_.begin());
+  const int component = component_of(part);
+  // A part without a net is given any: nearly all nets can be made to fold afterwards, and looking
+  // at both in every step takes far longer.
+  const bool for_motion = trees_.at(part).overlaps == 0;
+  ExchangeTask task{parts_so_far(state, component, for_motion), {}};
+  task.options.part = part - first_part_[component];
+  task.options.clearance = for_motion ? state.options.clearance : 0;
+  task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
+                                static_cast<std::uint64_t>(exchanges_[part]++));
+  queue.add(state.surface, state.components[component].panels, std::move(task));
+  exchange_ = {component, part};
+  return true;
+}
+
+PartsSoFar PartTrees::parts_so_far(const JobState& state, int component, bool for_motion) const {
+  PartsSoFar parts{state.components[component].labels, {}, {}};
+  for (int part = first_part_[component]; part < first_part_[component + 1]; ++part) {
+    const Tree& tree = trees_.at(part);
+    const DualGraph graph = restrict_to(state.components[component].graph, tree.net.region.panels);
+    for (const int h : tree.net.folds) parts.fold_edges.push_back(graph.hinges[h].edges[0]);
+    const int shortfall = for_motion ? tree.shortfall : tree.overlaps;
+    if (shortfall > 0) parts.shortfalls[part - first_part_[component]] = shortfall;
+  }
+  return parts;
+}
+
+std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
+                                                        const ExchangeResult& result) {
+  const auto [component, part] = *std::exchange(exchange_, std::nullopt);
+  std::vector<Changed> again;
+  if (!result.found) {
+    uncured_.insert(part);
+    return again;
+  }
+  state.components[component].labels = result.labels;
+  for (const auto& [label, folds] : result.changed) {
+    const int changed = first_part_[component] + label;
+    const auto left = result.shortfalls.find(label);
+    if (left != result.shortfalls.end()) {
+      // It is no better off than before, and goes on waiting.
+      trees_[changed] = {{region(state, changed), folds, {}}, left->second, left->second};
+      continue;
+    }
+    waiting_.erase(changed);
+    uncured_.erase(changed);
+    trees_.erase(changed);
+    again.push_back({changed, folds});
+  }
+  return again;
+}
+
+std::vector<std::pair<int, Candidate>> PartTrees::take_uncured() {
+  std::vector<std::pair<int, Candidate>> uncured;
+  for (const int part : std::exchange(uncured_, {})) {
+    Tree tree = std::move(trees_.at(part));
+    trees_.erase(part);
+    uncured.push_back({part, {std::move(tree.net.folds), tree.overlaps, tree.shortfall, {}}});
+    uncured.back().second.motion.kind = Folding::kNone;
+  }
+  return uncured;
+}
+
+void PartTrees::collect(JobState& state) {
+  for (auto& [part, tree] : trees_) {
+    if (tree.overlaps == 0) state.nets.push_back(std::move(tree.net));
+  }
+  trees_.clear();
+}
+
+}  // namespace foldwright

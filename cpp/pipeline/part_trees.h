@@ -1,0 +1,84 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "pipeline/stage.h"
+
+namespace foldwright {
+
+/// A region's best tree so far.
+struct Candidate {
+  FoldTree folds;
+  int overlaps = -1;  ///< -1: there is none yet
+  int shortfall = 0;  ///< see `SearchResult`
+  FoldMotion motion;
+
+  bool is_net() const { return overlaps == 0; }
+};
+
+/// The best tree of every whole part, and the exchanges of border panels between parts.
+///
+/// Exchanges wait until all parts have been tried, and then go one by one in the order of parts:
+/// each changes the borders that the next one sees. A part without a net is given one, and one
+/// without a motion a net that folds straight.
+class PartTrees {
+ public:
+  /// Numbers the parts through all components. \pre the components have labels
+  explicit PartTrees(const JobState& state);
+
+  int part_count() const { return first_part_.back(); }
+  /// All panels of a part, as the labels are now.
+  Region region(const JobState& state, int part) const;
+  /// Labels all faces of the model in `state.result`.
+  void label_faces(JobState& state) const;
+
+  /// The part has what was asked, or gets no more.
+  void settle(int part, FoundNet net);
+  /// The part has not, and waits for an exchange.
+  void leave_open(Region region, Candidate candidate);
+
+  bool exchanging() const { return exchange_.has_value(); }
+  /// Part whose exchange is under way. \pre `exchanging()`
+  int exchanging_part() const { return exchange_->part; }
+  /// Queues the next exchange; false when none waits.
+  bool begin_exchange(const JobState& state, TaskQueue& queue);
+
+  /// A part whose panels changed, and a tree of the changed part to search on from.
+  struct Changed {
+    int part;
+    FoldTree folds;
+  };
+  /// Takes the outcome of the exchange: new labels, and parts to be searched again. They are
+  /// forgotten until then.
+  std::vector<Changed> end_exchange(JobState& state, const ExchangeResult& result);
+
+  /// Parts that no exchange cured, with the best they came to; forgotten by this.
+  std::vector<std::pair<int, Candidate>> take_uncured();
+
+  /// Moves the trees that are nets to the state.
+  void collect(JobState& state);
+
+ private:
+  struct Tree {
+    FoundNet net;
+    int overlaps = 0;
+    int shortfall = 0;  ///< 0: settled
+  };
+  struct Exchange {
+    int component, part;
+  };
+
+  int component_of(int part) const;
+  PartsSoFar parts_so_far(const JobState& state, int component, bool for_motion) const;
+
+  std::vector<int> first_part_;  ///< number of the first part of each component, and of all parts
+  std::map<int, Tree> trees_;    ///< by part
+  std::set<int> waiting_;        ///< parts whose exchange is to come
+  std::set<int> uncured_;
+  std::map<int, int> exchanges_;  ///< by part: how many it had
+  std::optional<Exchange> exchange_;
+};
+
+}  // namespace foldwright
