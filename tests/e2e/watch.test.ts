@@ -1,5 +1,6 @@
 /** A run can be watched, and ended at any time, and leaves a page that works. */
 import { expect, test } from 'vitest';
+import { cancelAt, stageWords } from './page-clock.js';
 import { useStudio } from './studio-fixture.js';
 import type { StudioPage } from './studio-page.js';
 
@@ -10,19 +11,6 @@ async function beginLongRun(studio: StudioPage): Promise<void> {
   await studio.page.fill('#parts', '2');
   await studio.page.selectOption('#solver', 'genetic');
   await studio.chooseSample('Rabbit');
-}
-
-/** Presses Cancel as soon as the words of a stage appear. */
-async function cancelAt(studio: StudioPage, words: string): Promise<void> {
-  await studio.page.evaluate((start) => {
-    const stage = document.querySelector('#progress-words')!;
-    const observer = new MutationObserver(() => {
-      if (!stage.textContent?.startsWith(start)) return;
-      observer.disconnect();
-      document.querySelector<HTMLElement>('#cancel')!.click();
-    });
-    observer.observe(stage, { childList: true, characterData: true, subtree: true });
-  }, words);
 }
 
 test('model, foldability, net and fitness are drawn while a run goes on', () =>
@@ -45,11 +33,11 @@ test('model, foldability, net and fitness are drawn while a run goes on', () =>
 test('a run can be ended in every stage, and the next one works', () =>
   withStudio(async (studio) => {
     const { page } = studio;
-    const stages = ['Reading', 'Learning', 'Choosing the parts', 'Laying', 'Placing'];
-    for (const stage of stages) {
-      await cancelAt(studio, stage);
+    for (const stage of stageWords) {
+      const answered = cancelAt(studio, stage);
       await studio.chooseSample('Duck');
-      await page.locator('#announcement', { hasText: 'Cancelled.' }).waitFor({ timeout: 60_000 });
+      await answered;
+      expect(await page.locator('#announcement').textContent()).toBe('Cancelled.');
       expect(await page.locator('#progress').isVisible()).toBe(false);
       expect(await page.locator('#message').isVisible()).toBe(false);
       await studio.chooseSample('Cube');
@@ -71,4 +59,22 @@ test('the last result comes back when the run after it is cancelled', () =>
     await page.locator('#result').waitFor();
     expect((await studio.download('FOLD')).name).toBe('cube.fold');
     expect(studio.complaints).toEqual([]);
+  }));
+
+test('however many generations there are, they are drawn ten times a second at most', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await beginLongRun(studio);
+    await page.locator('#chart .curve--now').waitFor({ timeout: 60_000 });
+    const { drawings, seconds } = await page.evaluate(async () => {
+      let drawings = 0;
+      const observer = new MutationObserver(() => ++drawings);
+      observer.observe(document.querySelector('#chart')!, { childList: true });
+      const start = performance.now();
+      await new Promise((done) => setTimeout(done, 3000));
+      return { drawings, seconds: (performance.now() - start) / 1000 };
+    });
+    expect(drawings).toBeGreaterThan(0);
+    expect(drawings).toBeLessThanOrEqual(10 * seconds + 1);
+    await page.locator('#cancel').click();
   }));

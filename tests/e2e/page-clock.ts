@@ -1,0 +1,68 @@
+import type { StudioPage } from './studio-page.js';
+
+/** Words with which the progress of a stage begins, in the order of the stages. */
+export const stageWords = ['Reading', 'Learning', 'Choosing the parts', 'Laying', 'Placing'];
+
+/**
+ * Cancels the next run as soon as the words of a stage appear. Resolves, once such a run has been
+ * started and has ended, with the ms from the click until the page said that it was over.
+ */
+export function cancelAt({ page }: StudioPage, words: string): Promise<number> {
+  return page.evaluate((start) => {
+    const stage = document.querySelector('#progress-words')!;
+    const card = document.querySelector<HTMLElement>('#progress')!;
+    const all = { childList: true, characterData: true, subtree: true, attributes: true };
+    return new Promise<number>((resolve) => {
+      const began = new MutationObserver(() => {
+        if (!stage.textContent?.startsWith(start)) return;
+        began.disconnect();
+        const before = performance.now();
+        const ended = new MutationObserver(() => {
+          if (card.hidden) resolve(performance.now() - before);
+        });
+        ended.observe(card, all);
+        document.querySelector<HTMLElement>('#cancel')!.click();
+      });
+      began.observe(stage, all);
+    });
+  }, words);
+}
+
+/** What a run was like for the page's own thread; all in ms. */
+export interface RunTimes {
+  /** From the drop of the file until its nets were on the page. */
+  nets: number;
+  /** Lengths of the tasks over 50 ms, until a second later. */
+  longTasks: number[];
+}
+
+/** Drops a model and follows the run to its nets. */
+export function timeRun({ page }: StudioPage, name: string, content: string): Promise<RunTimes> {
+  return page.evaluate(
+    async ([fileName, text]) => {
+      const rest = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
+      const data = new DataTransfer();
+      data.items.add(new File([text], fileName));
+      // Bringing the text here has made the page busy itself.
+      await rest(1000);
+      const longTasks: number[] = [];
+      const observer = new PerformanceObserver((list) => {
+        for (const { duration } of list.getEntries()) longTasks.push(duration);
+      });
+      observer.observe({ type: 'longtask' });
+      const result = document.querySelector<HTMLElement>('#result')!;
+      const start = performance.now();
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
+      const nets = await new Promise<number>((done) => {
+        const shown = new MutationObserver(() => {
+          if (!result.hidden) done(performance.now() - start);
+        });
+        shown.observe(result, { attributes: true });
+      });
+      await rest(1000);
+      observer.disconnect();
+      return { nets, longTasks };
+    },
+    [name, content] as const,
+  );
+}
