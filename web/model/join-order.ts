@@ -5,26 +5,22 @@ import type { Piece } from './job.js';
 export interface Join {
   /** Index of the piece. */
   piece: number;
-  /** Edges that it is glued along to the pieces before it; none begins another body. */
-  edges: number;
-  /** The pieces before it that it is glued to, ascending. */
+  /** The pieces before it that it is glued to, ascending; one without any begins a body. */
   partners: number[];
 }
 
-/** Border that a piece shares with others: per other piece the number and the length of the edges. */
-type Shared = Map<number, { edges: number; length: number }>;
-
-function sharedBorders(pieces: readonly Piece[]): Shared[] {
-  const shared = pieces.map((): Shared => new Map());
-  const add = (a: number, b: number, length: number): void => {
-    const before = shared[a]!.get(b) ?? { edges: 0, length: 0 };
-    shared[a]!.set(b, { edges: before.edges + 1, length: before.length + length });
-  };
+/** Per piece, the length of its border with each other piece. */
+function sharedBorders(pieces: readonly Piece[]): Map<number, number>[] {
+  const shared = pieces.map(() => new Map<number, number>());
   for (const [a, b] of cutPairs(pieces)) {
     if (a.piece === b.piece) continue;
     const length = edgeLength(pieces[a.piece]!, a.edge);
-    add(a.piece, b.piece, length);
-    add(b.piece, a.piece, length);
+    for (const [one, other] of [
+      [a.piece, b.piece],
+      [b.piece, a.piece],
+    ] as const) {
+      shared[one]!.set(other, (shared[one]!.get(other) ?? 0) + length);
+    }
   }
   return shared;
 }
@@ -53,18 +49,14 @@ export function joinOrder(pieces: readonly Piece[]): Join[] {
   const joins: Join[] = [];
   const joined = new Set<number>();
   const borderOf = (piece: number): number =>
-    [...shared[piece]!].reduce(
-      (sum, [other, { length }]) => sum + (joined.has(other) ? length : 0),
-      0,
-    );
+    [...shared[piece]!].reduce((sum, [other, size]) => sum + (joined.has(other) ? size : 0), 0);
   while (left.size > 0) {
     const borders = new Map([...left].map((piece) => [piece, borderOf(piece)]));
     const [piece] = [...left].sort(
       (a, b) => borders.get(b)! - borders.get(a)! || areas[b]! - areas[a]! || a - b,
     );
     const partners = [...shared[piece!]!.keys()].filter((other) => joined.has(other));
-    const edges = partners.reduce((sum, other) => sum + shared[piece!]!.get(other)!.edges, 0);
-    joins.push({ piece: piece!, edges, partners: partners.sort((a, b) => a - b) });
+    joins.push({ piece: piece!, partners: partners.sort((a, b) => a - b) });
     joined.add(piece!);
     left.delete(piece!);
   }
