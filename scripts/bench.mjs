@@ -1,10 +1,12 @@
 // Builds the benchmarks, native and as WASM, and runs them: `npm run bench [-- --full]`.
 import { buildEngine } from './make/engine.mjs';
 import { build } from './make/index.mjs';
+import { setUp } from './setup/index.mjs';
 import { root } from './setup/paths.mjs';
 import { main, run } from './setup/shell.mjs';
 
 main(() => {
+  setUp({ withBrowser: true });
   build();
   buildEngine('wasm');
   buildEngine('release');

@@ -79,6 +79,7 @@ for (const faces of sizes) {
 }
 console.log(`\n${run('build/release/bench_heuristics', [])}`);
 run(process.execPath, ['tests/bench/pool.mjs'], 'inherit');
+run(process.execPath, ['tests/bench/page.mjs'], 'inherit');
 if (process.argv.includes('--full')) {
   run('build/release/bench_solvers', ['--full'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');

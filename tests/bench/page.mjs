@@ -1,0 +1,99 @@
+// The studio in Chromium with models of life: prints how long a dropped file takes to become nets, the tasks that keep
+// the page's own thread for more than 50 ms meanwhile, and how soon a cancel is answered in every stage.
+import { readFileSync } from 'node:fs';
+import { loadavg } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
+import { serve } from '../../scripts/serve.mjs';
+
+const path = (name) => fileURLToPath(new URL(`../../${name}`, import.meta.url));
+const load = async (name) => (await runnerImport(path(name))).module;
+const { isBuilt, sharedFolder } = await load('tests/web/command.ts');
+const { cancelAt, stageWords, timeRun } = await load('tests/e2e/page-clock.ts');
+const { StudioPage } = await load('tests/e2e/studio-page.ts');
+
+/** Faces, and runs of which the shortest counts. */
+const sizes = [
+  { faces: 1000, rounds: 3 },
+  { faces: 5000, rounds: 1 },
+];
+const parts = 10;
+/** Ms after which the studio has loaded all that it loads ahead of a run. */
+const preparation = 3000;
+
+const netsTarget = { faces: 1000, seconds: 3 };
+const cancelTarget = 200;
+
+const verdict = (met) => (met ? 'met' : 'MISSED');
+
+/** The shortest of several runs, each in a browser of its own, and the worst of their long tasks. */
+async function measureRuns(address, model, rounds) {
+  let nets = Infinity;
+  const longTasks = [];
+  for (let round = 0; round < rounds; ++round) {
+    await withStudio(address, async (studio) => {
+      const times = await timeRun(studio, model.name, model.content);
+      nets = Math.min(nets, times.nets / 1000);
+      longTasks.push(...times.longTasks);
+    });
+  }
+  return { nets, longTasks, rounds };
+}
+
+async function withStudio(address, work) {
+  const studio = await StudioPage.open(address, { reducedMotion: 'no-preference' });
+  try {
+    await studio.page.fill('#parts', String(parts));
+    await studio.page.waitForTimeout(preparation);
+    await work(studio);
+  } finally {
+    await studio.close();
+  }
+}
+
+/** Ms until a cancel is answered, by stage. Each run is the first of its page, so that nets that were found are shown. */
+async function measureCancels(address, model) {
+  const answers = [];
+  for (const stage of stageWords) {
+    await withStudio(address, async (studio) => {
+      const latency = cancelAt(studio, stage);
+      await studio.choose(model.name, model.content);
+      answers.push([stage, await latency]);
+    });
+  }
+  return answers;
+}
+
+function print(faces, { nets, longTasks, rounds }, cancels) {
+  const aim =
+    faces === netsTarget.faces
+      ? ` (<= ${netsTarget.seconds} s on two free cores: ${verdict(nets <= netsTarget.seconds)})`
+      : '';
+  console.log(`page: ${faces} faces, ${parts} parts: nets after ${nets.toFixed(2)} s${aim}`);
+  const longest = Math.max(0, ...longTasks).toFixed(0);
+  console.log(
+    `page: ${faces} faces: ${longTasks.length} tasks over 50 ms in ${rounds} run(s), the longest ${longest} ms ` +
+      `(none: ${verdict(longTasks.length === 0)})`,
+  );
+  const words = cancels.map(([stage, latency]) => `${stage} ${latency.toFixed(0)} ms`).join(', ');
+  const answered = cancels.every(([, latency]) => latency <= cancelTarget);
+  console.log(`page: ${faces} faces: cancel answered while ${words}`);
+  console.log(`page: ${faces} faces: cancel answered in ${cancelTarget} ms: ${verdict(answered)}`);
+}
+
+const shared = sharedFolder();
+if (!isBuilt || shared === null) {
+  console.log(isBuilt ? 'page: skipped, its models are missing' : 'page: skipped, not built');
+  process.exit(isBuilt ? 0 : 1);
+}
+const server = await serve(path('dist'));
+for (const { faces, rounds } of sizes) {
+  const name = `cat_${faces}.obj`;
+  const content = readFileSync(join(shared, 'models', 'organic', name), 'utf8');
+  const model = { name, content };
+  const address = `${server.address}studio/`;
+  console.log(`page: ${faces} faces: load of the machine ${loadavg()[0].toFixed(1)}`);
+  print(faces, await measureRuns(address, model, rounds), await measureCancels(address, model));
+}
+server.close();
