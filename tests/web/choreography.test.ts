@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { bodiesOf } from '../../web/model/body.js';
+import { ballOf } from '../../web/model/bounds.js';
 import { choreograph, foldEnd, poseOn, type Track } from '../../web/model/choreography.js';
 import { foldTree } from '../../web/model/fold-tree.js';
 import { foldedVertices, modelPose } from '../../web/model/folded-piece.js';
@@ -24,7 +26,7 @@ const ground = turnAround([1, 0, 0], -Math.PI / 2);
 /** The pieces of a result at any time of their way. */
 function stage(result: JobResult, table = ground) {
   const trees = result.pieces.map(foldTree);
-  const tracks = choreograph(result, trees, table);
+  const tracks = choreograph(bodiesOf(result, trees), ballOf(result.model.vertices), table);
   const vertices = (piece: number, time: number): Vector[] => {
     const shape = foldedVertices(result.pieces[piece]!, trees[piece]!, Math.min(1, time / foldEnd));
     const pose = poseOn(tracks[piece]!, time);

@@ -1,3 +1,5 @@
+import { bodiesOf } from '../model/body.js';
+import { ballOf } from '../model/bounds.js';
 import { choreograph, foldEnd, type Track } from '../model/choreography.js';
 import { foldTree, type FoldTree } from '../model/fold-tree.js';
 import { flatVertex } from '../model/folded-piece.js';
@@ -151,7 +153,7 @@ export function writeGlb(result: JobResult): Uint8Array {
   const tempo = tempoFor(pieces.length);
   const scene = new Scene((time) => secondOf(tempo, time));
   const trees = pieces.map(foldTree);
-  const tracks = choreograph(result, trees, ground);
+  const tracks = choreograph(bodiesOf(result, trees), ballOf(result.model.vertices), ground);
   pieces.forEach((piece, i) => scene.addPiece(piece, trees[i]!, tracks[i]!));
   return scene.write(parts);
 }

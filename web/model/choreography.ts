@@ -2,16 +2,12 @@
  * How pieces that lie side by side become the model, over a time from 0 to 1: until `foldEnd` each
  * folds up where it lies, then one after the other flies to its place.
  */
-import { ballOf, boxOf, type Ball, type Box3 } from './bounds.js';
+import type { Body } from './body.js';
+import type { Ball } from './bounds.js';
 import { descent, flightKeys } from './flight.js';
-import type { FoldTree } from './fold-tree.js';
-import { foldedVertices, modelPose } from './folded-piece.js';
-import type { JobResult, Model, Piece } from './job.js';
-import { joinOrder } from './join-order.js';
-import { posed, turnBetween, turned, type Pose, type Turn } from './pose.js';
+import { turnBetween, turned, type Pose, type Turn } from './pose.js';
 import { layInRows } from './row-layout.js';
-import { minus, plus, times as scaled, vectorAt, type Vector } from './vector.js';
-import { wayOut, type Triangles } from './way-out.js';
+import { minus, plus, times as scaled, type Vector } from './vector.js';
 
 /** When all pieces are folded. */
 export const foldEnd = 0.7;
@@ -23,35 +19,19 @@ export interface Track {
   poses: Pose[];
 }
 
-/** Times at which a piece is looked at to know how much room it takes while it folds. */
-const looks = [0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1];
-
 /** Width over height of the table on which the pieces lie: that of most screens. */
 const tableAspect = 1.6;
 
 /** Room between pieces, as a share of the model's radius. */
 const gapShare = 0.1;
 
-/** What the way of a piece depends on. */
-interface Body {
-  /** Around all its shapes on its sheet. */
-  room: Box3;
-  /** Around the folded piece on its sheet. */
-  ball: Ball;
-  /** Its pose in the model, and its faces there. */
-  home: Pose;
-  faces: Triangles;
-}
-
-function bodyOf(piece: Piece, tree: FoldTree, model: Model): Body {
-  const shapes = looks.map((time) => foldedVertices(piece, tree, time));
-  const folded = shapes.at(-1)!;
-  const home = modelPose(piece, tree, model);
-  const faces = new Float64Array(3 * piece.faces.length);
-  piece.faces.forEach((vertex, at) => {
-    faces.set(posed(home, vectorAt(folded, vertex)), 3 * at);
-  });
-  return { room: boxOf(...shapes), ball: ballOf(folded), home, faces };
+/** When a piece rises from the table, and when it has come to its place. */
+export function flightTimes(rank: number, pieces: number): { start: number; end: number } {
+  // While one piece comes in, the next one rises.
+  const every = 1 - descent;
+  const duration = (1 - foldEnd) / (every * (pieces - 1) + 1);
+  const start = foldEnd + rank * every * duration;
+  return { start, end: rank === pieces - 1 ? 1 : start + duration };
 }
 
 /** How high the pieces rise above the table while they fold. */
@@ -76,54 +56,32 @@ function layOnTable(bodies: readonly Body[], model: Ball, table: Turn): Pose[] {
   });
 }
 
-function joinTriangles(parts: readonly Triangles[]): Triangles {
-  const all = new Float64Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
-}
-
 /**
- * The ways of all pieces in the space of the model, in the order of `joinOrder`. Their folds turn
- * meanwhile as their motions say, stretched over the time until `foldEnd`. Pieces keep clear of each
- * other, except where one is hooked into another so that no straight way leads in.
+ * The ways of all pieces in the space of the model. Their folds turn meanwhile as their motions say,
+ * stretched over the time until `foldEnd`. Pieces keep clear of each other, except where one is
+ * hooked into another so that no straight way leads in.
  *
+ * @param model a ball around it
  * @param table turns sheets into the plane on which they lie at first, printed side up
  */
-export function choreograph(
-  { pieces, model }: JobResult,
-  trees: readonly FoldTree[],
-  table: Turn,
-): Track[] {
-  const modelBall = ballOf(model.vertices);
-  const bodies = pieces.map((piece, i) => bodyOf(piece, trees[i]!, model));
-  const starts = layOnTable(bodies, modelBall, table);
+export function choreograph(bodies: readonly Body[], model: Ball, table: Turn): Track[] {
+  const starts = layOnTable(bodies, model, table);
   const highest = highestOf(bodies);
-  // While one piece comes in, the next one rises.
-  const duration = (1 - foldEnd) / ((1 - descent) * pieces.length + descent);
-  const tracks: Track[] = [];
-  const joined: Triangles[] = [];
-  joinOrder(pieces).forEach(({ piece }, turn) => {
-    const { ball, faces, home, room } = bodies[piece]!;
+  return bodies.map(({ ball, from, home, rank, room }, piece) => {
     const keys = flightKeys({
       start: starts[piece]!,
       end: home,
       ball,
-      model: modelBall,
+      model,
       lift: turned(table, [0, 0, highest - room.low[2]]),
-      from: wayOut(faces, joinTriangles(joined)),
+      from,
     });
-    const takeOff = foldEnd + turn * (1 - descent) * duration;
-    tracks[piece] = {
-      times: keys.map(({ share }) => takeOff + duration * share),
+    const { start, end } = flightTimes(rank, bodies.length);
+    return {
+      times: keys.map(({ share }) => (1 - share) * start + share * end),
       poses: keys.map(({ pose }) => pose),
     };
-    joined.push(faces);
   });
-  return tracks;
 }
 
 /** Where a piece is at a time from 0 to 1. */
