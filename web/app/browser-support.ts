@@ -14,16 +14,35 @@ function accepts(module: number[]): boolean {
   return WebAssembly.validate(new Uint8Array(module));
 }
 
+/** Whether workers can be modules: such browsers alone ask which type is wanted. */
+function hasModuleWorkers(): boolean {
+  let asked = false;
+  const options: WorkerOptions = {
+    get type() {
+      asked = true;
+      return 'module' as const;
+    },
+  };
+  try {
+    // There is no such script, and so nothing starts.
+    new Worker('blob:', options).terminate();
+  } catch {
+    // Some browsers refuse the address, after they have looked at the options.
+  }
+  return asked;
+}
+
 /** A sentence that says what to do when this browser cannot run the engine; null when it can. */
 export function missingSupport(): string | null {
   const able =
     typeof WebAssembly === 'object' &&
     typeof Worker === 'function' &&
+    hasModuleWorkers() &&
     accepts(simdModule) &&
     accepts(exceptionsModule);
   if (able) return null;
   return (
-    'This browser lacks WebAssembly with SIMD and exceptions, which the unfolding needs. ' +
-    'Chrome and Edge have it since version 95, Firefox since 100, Safari since 16.4.'
+    'This browser lacks module workers or WebAssembly with SIMD and exceptions, which the unfolding ' +
+    'needs. Chrome and Edge have them since version 95, Firefox since 114, Safari since 16.4.'
   );
 }

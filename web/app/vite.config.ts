@@ -25,8 +25,8 @@ export default defineConfig({
   build: {
     outDir: path('../../dist/studio'),
     emptyOutDir: true,
-    // The first browsers with both WASM SIMD and WASM exceptions.
-    target: ['chrome95', 'firefox100', 'safari16.4'],
+    // The first browsers with module workers, WASM SIMD and WASM exceptions.
+    target: ['chrome95', 'firefox114', 'safari16.4'],
     // The content security policy forbids data: addresses for most kinds of files.
     assetsInlineLimit: 0,
     // The 3D view, which loads after the page, is three.js for the most part.
