@@ -10,10 +10,6 @@ namespace {
 // Slivers keep most of their width: 1 less the largest share of the inradius that erosion takes.
 constexpr double kLeastScale = 0.8;
 
-// Boxes of faces in a plane across an axis have no inside along it: grown by this share of the mean
-// edge length, they have.
-constexpr double kBoxSlack = 1e-9;
-
 bool joined(const RootedTree& tree, int a, int b) {
   return tree.parent[a] == b || tree.parent[b] == a;
 }
@@ -71,13 +67,14 @@ std::vector<double> fold_angles(const DualGraph& graph, const FoldTree& folds,
 std::vector<std::array<int, 2>> colliding_panels(const Foldable& foldable, const RootedTree& tree,
                                                  const FoldedLayout& layout) {
   const DualGraph& graph = *foldable.graph;
+  const double tolerance = kTouching * graph.unit;
   std::vector<Triangle3> faces;
   std::vector<Box3> boxes;
   std::vector<int> panel_of;
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
     for (int i = graph.first_face[panel]; i < graph.first_face[panel + 1]; ++i) {
       faces.push_back(moved(layout[panel], foldable.faces[i]));
-      boxes.push_back(box_of(faces.back()).grown(kBoxSlack * graph.unit));
+      boxes.push_back(box_of(faces.back()).grown(tolerance));
       panel_of.push_back(panel);
     }
   }
@@ -85,7 +82,7 @@ std::vector<std::array<int, 2>> colliding_panels(const Foldable& foldable, const
   for (const auto& [i, j] : meeting_boxes(boxes)) {
     const auto [low, high] = std::minmax(panel_of[i], panel_of[j]);
     if (low == high || joined(tree, low, high)) continue;
-    if (triangles_meet(faces[i], faces[j])) collisions.push_back({low, high});
+    if (triangles_meet(faces[i], faces[j], tolerance)) collisions.push_back({low, high});
   }
   std::sort(collisions.begin(), collisions.end());
   collisions.erase(std::unique(collisions.begin(), collisions.end()), collisions.end());

@@ -9,6 +9,10 @@ namespace foldwright {
 /// Faces that meet in a vertex, or whose cut edges meet when folded, are to be apart.
 inline constexpr double kClearance = 0.01;
 
+/// Faces no farther apart than this share of the mean edge length meet: far above rounding, which
+/// would decide over faces in one plane else, and far below any clearance.
+inline constexpr double kTouching = 1e-9;
+
 /// A dual graph made ready to fold.
 struct Foldable {
   const DualGraph* graph;

@@ -11,8 +11,8 @@ namespace {
 constexpr double kStep = 0.1;
 constexpr double kLookEvery = 0.025;
 
-// Looks before the search gives up: some seconds for a hundred panels.
-constexpr int kMostLooks = 20000;
+// Panels looked at before the search gives up: some seconds.
+constexpr std::int64_t kMostLooks = 2'000'000;
 
 constexpr int kShortcuts = 60;
 
@@ -40,7 +40,7 @@ ShapeTrees::ShapeTrees(const Foldable& foldable, const FoldTree& folds, std::uin
 
 ShapeTrees::State ShapeTrees::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
-    const int before = looks_;
+    const std::int64_t before = looks_;
     if (certificate_) {
       const std::int64_t slice = std::min<std::int64_t>(work, 1000);
       if (certificate_->step(slice) != Certificate::State::kRunning) certify_next();
@@ -49,12 +49,12 @@ ShapeTrees::State ShapeTrees::step(std::int64_t work) {
       shorten();
     } else if (!path_.empty()) {
       certify_next();
-    } else if (looks_ > kMostLooks) {
+    } else if (looks_ * foldable_->graph->panel_count() > kMostLooks) {
       state_ = State::kGaveUp;
     } else {
       grow();
     }
-    work -= 1 + static_cast<std::int64_t>(looks_ - before) * foldable_->graph->panel_count();
+    work -= 1 + (looks_ - before) * foldable_->graph->panel_count();
   }
   return state_;
 }

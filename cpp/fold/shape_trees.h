@@ -52,7 +52,7 @@ class ShapeTrees {
   RootedTree hung_;
   std::array<Tree, 2> trees_;  ///< from flat, from the model
   int turn_ = 0;
-  int looks_ = 0;
+  std::int64_t looks_ = 0;
   std::vector<Shape> path_;
   int shortcuts_left_ = 0;
   std::size_t certified_ = 0;  ///< legs of the path

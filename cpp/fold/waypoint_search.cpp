@@ -17,6 +17,9 @@ constexpr int kPatience = 400;
 // More samples than this tell that the motion is tight everywhere: no binary waypoint will do.
 constexpr std::size_t kMostSamples = 60;
 
+// Panels looked at before the search gives up: some seconds.
+constexpr std::int64_t kMostLooks = 5'000'000;
+
 // A change may add up to -kTemperature ln(u) collisions.
 constexpr double kTemperature = 0.7;
 
@@ -59,6 +62,8 @@ WaypointSearch::State WaypointSearch::step(std::int64_t work) {
     }
     starts_ < kStarts ? propose_start() : move();
     work -= look;
+    looks_ += look;
+    if (looks_ > kMostLooks && !certificate_) state_ = State::kGaveUp;
   }
   return state_;
 }

@@ -60,6 +60,7 @@ class WaypointSearch {
   int starts_ = 0;
   int least_ = -1;
   int since_least_ = 0;
+  std::int64_t looks_ = 0;  ///< panels, over all samples
   int certified_legs_ = 0;
   std::optional<Certificate> certificate_;
   State state_ = State::kRunning;
