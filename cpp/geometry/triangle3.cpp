@@ -56,9 +56,13 @@ Triangle2 eroded(const Triangle2& t, double depth, double least) {
   return smaller;
 }
 
-bool triangles_meet(const Triangle3& a, const Triangle3& b) {
+bool triangles_meet(const Triangle3& a, const Triangle3& b, double tolerance) {
   bool apart = false;
-  for_separating_axes(a, b, [&](const Vec3& axis) { return apart = gap_along(axis, a, b) > 0; });
+  for_separating_axes(a, b, [&](const Vec3& axis) {
+    const double gap = gap_along(axis, a, b);
+    // Squares instead of a root: gap / |axis| > tolerance.
+    return apart = gap > 0 && gap * gap > tolerance * tolerance * axis.squaredNorm();
+  });
   return !apart;
 }
 

@@ -21,11 +21,13 @@ Triangle3 moved(const RigidMotion3& motion, const Triangle3& t);
 /// but by no less than `least`.
 Triangle2 eroded(const Triangle2& t, double depth, double least);
 
-/// Whether two triangles have a point in common, up to rounding.
+/// Whether two triangles have a point in common, or no direction in which they are apart by more
+/// than `tolerance` (a length).
 ///
 /// Separating axes: the normals of both planes, the cross products of their edges, and for
-/// triangles in one plane the normals of their edges in it.
-bool triangles_meet(const Triangle3& a, const Triangle3& b);
+/// triangles in one plane the normals of their edges in it. Exact up to rounding, which decides
+/// over triangles in one plane if the tolerance is 0.
+bool triangles_meet(const Triangle3& a, const Triangle3& b, double tolerance);
 
 /// Calls `visit(axis)` for directions along which disjoint triangles are apart, likely ones first,
 /// until it returns true. Axes are not normalised and may vanish.

@@ -18,7 +18,7 @@ std::vector<std::array<int, 2>> FlatSpace::collisions(
 }
 
 FoldedSpace::FoldedSpace(const Foldable& foldable, double share)
-    : foldable_(&foldable), share_(share), slack_(1e-9 * foldable.graph->unit) {
+    : foldable_(&foldable), share_(share), tolerance_(kTouching * foldable.graph->unit) {
   for (const Triangle2& face : foldable.faces) faces_.push_back(moved(RigidMotion3{}, face));
   const DualGraph& graph = *foldable.graph;
   for (int h = 0; h < graph.hinge_count(); ++h) {

@@ -41,12 +41,12 @@ class FoldedSpace {
   double share() const { return share_; }
   const Face& face(int i) const { return faces_[i]; }
   Face placed(const Motion& motion, const Face& face) const { return moved(motion, face); }
-  Box3 box(const Face& face) const { return box_of(face).grown(slack_); }
+  Box3 box(const Face& face) const { return box_of(face).grown(tolerance_); }
   Motion beside(int hinge, int panel) const {
     return foldable_->graph->hinges[hinge].panels[1] == panel ? beside_[hinge]
                                                               : beside_[hinge].inverse();
   }
-  bool collide(const Face& a, const Face& b) const { return triangles_meet(a, b); }
+  bool collide(const Face& a, const Face& b) const { return triangles_meet(a, b, tolerance_); }
   static constexpr bool kSparesJoined = true;
 
   std::vector<Motion> lay_out(const RootedTree& tree) const;
@@ -56,7 +56,7 @@ class FoldedSpace {
  private:
   const Foldable* foldable_;
   double share_;
-  double slack_;
+  double tolerance_;
   std::vector<Face> faces_;
   std::vector<Motion> beside_;
 };
