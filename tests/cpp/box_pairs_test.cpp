@@ -11,7 +11,8 @@ namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
 
-Pairs all_pairs(const std::vector<Box2>& boxes) {
+template <int N>
+Pairs all_pairs(const std::vector<Box<N>>& boxes) {
   Pairs pairs;
   for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
     for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j) {
@@ -21,19 +22,22 @@ Pairs all_pairs(const std::vector<Box2>& boxes) {
   return pairs;
 }
 
-void expect_all_pairs(const std::vector<Box2>& boxes) {
+template <int N>
+void expect_all_pairs(const std::vector<Box<N>>& boxes) {
   Pairs found = meeting_boxes(boxes);
   EXPECT_EQ(meeting_boxes(boxes), found) << "another order the second time";
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, all_pairs(boxes));
 }
 
-std::vector<Box2> random_boxes(Random& random, int count, double size) {
-  std::vector<Box2> boxes;
-  for (int i = 0; i < count; ++i) {
-    const double x = random.uniform() - 0.5;
-    const double y = random.uniform() - 0.5;
-    boxes.push_back({x, y, x + size * random.uniform(), y + size * random.uniform()});
+template <int N>
+std::vector<Box<N>> random_boxes(Random& random, int count, double size) {
+  std::vector<Box<N>> boxes(count);
+  for (Box<N>& box : boxes) {
+    for (int i = 0; i < N; ++i) {
+      box.min[i] = random.uniform() - 0.5;
+      box.max[i] = box.min[i] + size * random.uniform();
+    }
   }
   return boxes;
 }
@@ -42,39 +46,61 @@ TEST(MeetingBoxes, AreThoseThatLookingAtAllPairsFinds) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    expect_all_pairs(random_boxes(random, 1 + random.below(300), 0.3 * random.uniform()));
+    const int count = 1 + random.below(300);
+    expect_all_pairs(random_boxes<2>(random, count, 0.3 * random.uniform()));
+    expect_all_pairs(random_boxes<3>(random, count, 0.6 * random.uniform()));
   }
 }
 
 TEST(MeetingBoxes, MayDifferMuchInSize) {
   Random random(1);
-  std::vector<Box2> boxes = random_boxes(random, 300, 0.02);
+  std::vector<Box2> boxes = random_boxes<2>(random, 300, 0.02);
   boxes.insert(boxes.begin() + 150, {-100, -100, 100, 100});
   boxes.push_back({-100, 0.1, 100, 0.1001});
   expect_all_pairs(boxes);
+  std::vector<Box3> in_space = random_boxes<3>(random, 300, 0.05);
+  in_space.insert(in_space.begin() + 150, {-100, -100, -100, 100, 100, 100});
+  in_space.push_back({-100, 0.1, -0.2, 100, 0.1001, 0.2});
+  expect_all_pairs(in_space);
 }
 
 TEST(MeetingBoxes, MayLieFarApart) {
   Random random(2);
-  std::vector<Box2> boxes = random_boxes(random, 50, 0.1);
-  for (int i = 0; i < 50; ++i) {
-    Box2 far = boxes[i];
-    far.min[0] += 1e9;
-    far.max[0] += 1e9;
-    boxes.push_back(far);
-  }
-  expect_all_pairs(boxes);
+  const auto with_far_copies = [](auto boxes) {
+    for (int i = 0; i < 50; ++i) {
+      auto far = boxes[i];
+      far.min.back() += 1e9;
+      far.max.back() += 1e9;
+      boxes.push_back(far);
+    }
+    return boxes;
+  };
+  expect_all_pairs(with_far_copies(random_boxes<2>(random, 50, 0.1)));
+  expect_all_pairs(with_far_copies(random_boxes<3>(random, 50, 0.1)));
 }
 
 TEST(MeetingBoxes, MayBeCopiesOrPointsOrMissing) {
   expect_all_pairs(std::vector<Box2>(20, {1, 1, 2, 2}));
   expect_all_pairs(std::vector<Box2>(20, {1, 1, 1, 1}));
-  expect_all_pairs({{0, 0, 1, 1}});
-  expect_all_pairs({});
+  expect_all_pairs(std::vector<Box2>{{0, 0, 1, 1}});
+  expect_all_pairs(std::vector<Box2>{});
+  expect_all_pairs(std::vector<Box3>(20, {1, 1, 1, 2, 2, 2}));
+  expect_all_pairs(std::vector<Box3>(20, {1, 1, 1, 1, 1, 1}));
+  expect_all_pairs(std::vector<Box3>{{0, 0, 0, 1, 1, 1}});
+  expect_all_pairs(std::vector<Box3>{});
+}
+
+TEST(MeetingBoxes, MayAllLieInOnePlane) {
+  // A net that is still flat.
+  Random random(3);
+  std::vector<Box3> boxes = random_boxes<3>(random, 200, 0.2);
+  for (Box3& box : boxes) box.min[2] = -1e-9, box.max[2] = 1e-9;
+  expect_all_pairs(boxes);
 }
 
 TEST(MeetingBoxes, MeetWithTheirInsidesOnly) {
   EXPECT_TRUE(meeting_boxes(std::vector<Box2>{{0, 0, 1, 1}, {1, 0, 2, 1}, {0, 1, 1, 2}}).empty());
+  EXPECT_TRUE(meeting_boxes(std::vector<Box3>{{0, 0, 0, 1, 1, 1}, {0, 0, 1, 1, 1, 2}}).empty());
 }
 
 }  // namespace

@@ -79,5 +79,44 @@ TEST(HangTree, OrdersPanelsBreadthFirstBelowTheirParents) {
   }
 }
 
+/// Folds between the root and the panel farthest from it.
+int height(const DualGraph& graph, const FoldTree& folds, int root) {
+  const RootedTree tree = hang_tree(graph, folds, root);
+  std::vector<int> depth(graph.panel_count(), 0);
+  int most = 0;
+  for (std::size_t i = 1; i < tree.order.size(); ++i) {
+    const int panel = tree.order[i];
+    depth[panel] = depth[tree.parent[panel]] + 1;
+    most = std::max(most, depth[panel]);
+  }
+  return most;
+}
+
+TEST(TreeCentre, IsTheLowestPanelWithTheLeastHeightBelowIt) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (const Mesh& mesh : {random_hull(seed, 30), l_prism(), torus(5, 4)}) {
+      const DualGraph graph = build_dual_graph(mesh);
+      const FoldTree folds = random_tree(graph, random);
+      std::vector<int> heights;
+      for (int root = 0; root < graph.panel_count(); ++root) {
+        heights.push_back(height(graph, folds, root));
+      }
+      const auto least = std::ranges::min_element(heights);
+      EXPECT_EQ(tree_centre(graph, folds), least - heights.begin());
+    }
+  }
+}
+
+TEST(TreeCentre, OfARowIsItsMiddle) {
+  for (int panels = 1; panels <= 8; ++panels) {
+    const DualGraph row = build_dual_graph(accordion(std::vector<double>(panels, 1)));
+    FoldTree all;
+    for (int h = 0; h < row.hinge_count(); ++h) all.push_back(h);
+    EXPECT_EQ(tree_centre(row, all), (panels - 1) / 2);
+  }
+}
+
 }  // namespace
 }  // namespace foldwright::testing

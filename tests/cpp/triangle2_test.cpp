@@ -131,7 +131,7 @@ TEST(Triangles, IntersectionAreaByHand) {
 }
 
 TEST(Box2, EnclosesATriangleAndMeetsByItsInside) {
-  const Box2 box = box_of({Vec2(1, 2), Vec2(4, 0), Vec2(3, 5)});
+  const Box2 box = box_of(Triangle2{Vec2(1, 2), Vec2(4, 0), Vec2(3, 5)});
   EXPECT_EQ(box.min[0], 1);
   EXPECT_EQ(box.min[1], 0);
   EXPECT_EQ(box.max[0], 4);
