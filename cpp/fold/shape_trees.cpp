@@ -14,6 +14,9 @@ constexpr double kLookEvery = 0.025;
 // Panels looked at before the search gives up: some seconds.
 constexpr std::int64_t kMostLooks = 2'000'000;
 
+// Comparing two shapes costs less than looking at one by this factor.
+constexpr int kNodesPerLook = 500;
+
 constexpr int kShortcuts = 60;
 
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -35,7 +38,10 @@ ShapeTrees::ShapeTrees(const Foldable& foldable, const FoldTree& folds, std::uin
       folds_(&folds),
       random_(seed),
       hung_(hang_tree(*foldable.graph, folds, tree_centre(*foldable.graph, folds))) {
-  for (const int end : {0, 1}) trees_[end].push_back({Shape(folds.size(), end), -1});
+  for (const int end : {0, 1}) {
+    trees_[end].push_back({Shape(folds.size(), end), -1});
+    if (!is_free(trees_[end][0].shape)) state_ = State::kGaveUp;
+  }
 }
 
 ShapeTrees::State ShapeTrees::step(std::int64_t work) {
@@ -76,7 +82,8 @@ ShapeTrees::Shape ShapeTrees::random_shape() {
   return shape;
 }
 
-int ShapeTrees::nearest(const Tree& tree, const Shape& shape) const {
+int ShapeTrees::nearest(const Tree& tree, const Shape& shape) {
+  looks_ += static_cast<std::int64_t>(tree.size()) / kNodesPerLook;
   int best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < static_cast<int>(tree.size()); ++i) {

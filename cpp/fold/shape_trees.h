@@ -37,7 +37,7 @@ class ShapeTrees {
 
   bool is_free(const Shape& shape);
   Shape random_shape();
-  int nearest(const Tree& tree, const Shape& shape) const;
+  int nearest(const Tree& tree, const Shape& shape);
   /// Grows a tree by one step towards a shape; the new node, or -1 if something is in the way.
   int extend(Tree& tree, int from, const Shape& towards);
   bool way_is_free(const Shape& from, const Shape& to);
