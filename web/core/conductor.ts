@@ -87,11 +87,18 @@ export class Conductor {
     if (this.finished || this.ended) return;
     if (request.type === 'helper') this.desk.join(request.helper);
     if (request.type === 'lost') this.lose(request);
-    if (request.type === 'report' && this.desk.isOut(request.helper, request.report.task)) {
-      if (request.report.result) this.desk.finish(request.helper);
-      this.hear(request.report);
-    }
+    if (request.type === 'report') this.receive(request);
     this.wake();
+  }
+
+  private receive({ helper, report }: ReportRequest): void {
+    if (!this.desk.isOut(helper, report.task)) return;
+    if (report.result) {
+      this.desk.finish(helper);
+      // The helper has its next task before its result is looked at, which takes a while.
+      this.handOut();
+    }
+    this.hear(report);
   }
 
   private async runNow(): Promise<void> {
