@@ -1,6 +1,8 @@
+import type { JobResult } from '../model/job.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
 import { find } from './dom.js';
+import { FoldingPanel } from './folding-panel.js';
 
 interface ShownModel {
   vertices: Float32Array | Float64Array;
@@ -12,13 +14,14 @@ const excuses: Readonly<Record<DrawingFailure, string>> = {
   broken: 'The 3D view does not work here. All else does.',
 };
 
-/** The model in 3D. */
+/** The model in 3D, and when it is finished its folding. */
 export class ModelPanel {
   readonly figure = find('#model', HTMLElement);
   private readonly picture = find('#model-picture', HTMLElement);
   private readonly note = find('#model-note', HTMLElement);
   private readonly name = find('#model-name', HTMLElement);
   private readonly view = modelView(this.picture, (failure) => this.excuse(excuses[failure]));
+  private readonly folding = new FoldingPanel((time) => this.view.tell({ type: 'time', time }));
   /** Of the model that is shown. */
   private faceCount = 0;
 
@@ -31,13 +34,19 @@ export class ModelPanel {
   show(name: string, { vertices, faces }: ShownModel): void {
     this.name.textContent = name;
     this.faceCount = faces.length / 3;
+    this.folding.clear();
     this.view.tell({ type: 'model', vertices, faces });
   }
 
   /** Shows the repaired model in its final colours; the one on screen only changes its colours. */
-  finish(name: string, model: ShownModel, labels: Int32Array): void {
+  finish(name: string, { model, labels, pieces }: JobResult): void {
     if (this.faceCount !== model.faces.length / 3) this.show(name, model);
     this.paint(labels);
+    // A run that was cancelled may have left faces in no piece: they could not fold with the others.
+    const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
+    if (covered !== this.faceCount) return;
+    this.view.tell({ type: 'folding', model, pieces });
+    this.folding.offer(pieces);
   }
 
   /** Colours the faces by their parts. */
@@ -57,6 +66,7 @@ export class ModelPanel {
 
   private excuse(words: string): void {
     this.picture.hidden = true;
+    this.folding.remove();
     this.note.textContent = words;
     this.note.hidden = false;
   }

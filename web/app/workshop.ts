@@ -70,7 +70,7 @@ export class Workshop {
   /** Clears away for the result: the pictures move to it. */
   finish(result: JobResult): void {
     this.model.turn(false);
-    this.model.finish(this.modelName, result.model, result.labels);
+    this.model.finish(this.modelName, result);
     this.net.finish(result);
     find('#result-model', HTMLElement).append(this.model.figure);
     find('#result-pictures', HTMLElement).append(this.pictures);

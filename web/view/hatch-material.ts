@@ -1,5 +1,7 @@
 import {
+  Color,
   DataArrayTexture,
+  DoubleSide,
   LinearMipmapLinearFilter,
   MeshLambertMaterial,
   RedFormat,
@@ -10,6 +12,9 @@ import { hatchPaths } from './part-hatches.js';
 
 /** Pixels along a tile of a hatch. */
 const size = 64;
+
+/** The inside of the paper, which nothing is printed on. */
+const inside = new Color('#f2ebdc');
 
 function hatchTexture(): DataArrayTexture {
   const texture = new DataArrayTexture(hatchInk(size), size, size, hatchPaths.length);
@@ -22,7 +27,8 @@ function hatchTexture(): DataArrayTexture {
 }
 
 /**
- * Paper in the colours of its faces, with hatches over them when `hatched`. Reads the attributes
+ * Paper, blank on its inside and in the colours of its faces on its outside, with hatches over them
+ * when `hatched`. Reads the attributes
  * `uv` (where on the tile) and `hatch` (which one) beside those of every material.
  */
 export class HatchMaterial extends MeshLambertMaterial {
@@ -32,6 +38,7 @@ export class HatchMaterial extends MeshLambertMaterial {
   constructor() {
     // Pushed back a little, so that lines along the faces lie on top.
     super({
+      side: DoubleSide,
       vertexColors: true,
       polygonOffset: true,
       polygonOffsetFactor: 1,
@@ -40,18 +47,21 @@ export class HatchMaterial extends MeshLambertMaterial {
     this.onBeforeCompile = (shader) => {
       shader.uniforms['hatches'] = { value: this.hatches };
       shader.uniforms['hatchShare'] = this.share;
+      shader.uniforms['inside'] = { value: inside };
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', `attribute float hatch;\nvarying vec3 vHatch;\n$&`)
         .replace('#include <color_vertex>', `$&\nvHatch = vec3(uv, hatch);`);
       shader.fragmentShader = shader.fragmentShader
         .replace(
           '#include <common>',
-          `uniform sampler2DArray hatches;\nuniform float hatchShare;\nvarying vec3 vHatch;\n$&`,
+          `uniform sampler2DArray hatches;\nuniform float hatchShare;\nuniform vec3 inside;\n` +
+            `varying vec3 vHatch;\n$&`,
         )
         .replace(
           '#include <color_fragment>',
           `$&\nfloat ink = hatchShare * texture(hatches, vHatch).r;\n` +
-            `diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.02), ink);`,
+            `diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.02), ink);\n` +
+            `if (!gl_FrontFacing) diffuseColor.rgb = inside;`,
         );
     };
   }

@@ -63,6 +63,11 @@ function writeNormal(normals: Float32Array, p: Float32Array, at: number): void {
   }
 }
 
+/** Writes the normals of all triangles. */
+export function writeNormals(normals: Float32Array, positions: Float32Array): void {
+  for (let at = 0; at < positions.length; at += 9) writeNormal(normals, positions, at);
+}
+
 /** The axis along which a normal points most: 0, 1 or 2. */
 function mainAxis(normals: Float32Array, at: number): number {
   const [x, y, z] = [normals[at]!, normals[at + 1]!, normals[at + 2]!].map(Math.abs);
@@ -84,8 +89,8 @@ export function flatMesh(vertices: Numbers, faces: Int32Array): FlatMesh {
   faces.forEach((vertex, corner) => {
     for (let axis = 0; axis < 3; ++axis) positions[3 * corner + axis] = fitted[3 * vertex + axis]!;
   });
+  writeNormals(normals, positions);
   for (let corner = 0; corner < faces.length; ++corner) {
-    if (corner % 3 === 0) writeNormal(normals, positions, 3 * corner);
     // Seen along the axis that the face faces most, a hatch is stretched least.
     const away = mainAxis(normals, 3 * corner);
     uvs[2 * corner] = positions[3 * corner + ((away + 1) % 3)]! * tilesPerRadius;
@@ -112,4 +117,23 @@ export function extentOf(positions: Float32Array, height: number): Extent {
     halfDepth = Math.max(halfDepth, Math.abs(z));
   }
   return { up, reach, deep: halfDepth > halfWidth };
+}
+
+/**
+ * How much room things take for someone who does not turn them.
+ *
+ * @param positions 3 per corner, around the origin
+ * @param height as for `extentOf`
+ * @param around angle in radians from which they are seen, around the upright axis
+ */
+export function extentSeen(positions: Float32Array, height: number, around: number): Extent {
+  const [sine, cosine] = [Math.sin(around), Math.cos(around)];
+  let [up, reach] = [0, 0];
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+    const nearer = x * sine + z * cosine;
+    up = Math.max(up, Math.abs(y * Math.cos(height) - nearer * Math.sin(height)));
+    reach = Math.max(reach, Math.abs(x * cosine - z * sine));
+  }
+  return { up, reach, deep: false };
 }

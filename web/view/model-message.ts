@@ -1,3 +1,5 @@
+import type { Model, Piece } from '../model/job.js';
+
 /** A turn by hand around the model. */
 export interface Turn {
   /** Radians around the upright axis. */
@@ -6,6 +8,13 @@ export interface Turn {
   down: number;
   /** How many times as far away. */
   away: number;
+}
+
+/** A finished model and the pieces that it is folded from. */
+export interface Folding {
+  model: Model;
+  /** Every face of the model is in one of them. */
+  pieces: Piece[];
 }
 
 /** What a picture of a model is told, in plain data: another thread may be the one that draws. */
@@ -18,4 +27,8 @@ export type ModelMessage =
   | { type: 'hatched'; hatched: boolean }
   /** Whether the model turns by itself, until it is turned by hand. */
   | { type: 'turning'; turning: boolean }
-  | ({ type: 'turn' } & Turn);
+  | ({ type: 'turn' } & Turn)
+  /** The pieces of the model that is shown, which can be folded and unfolded from now on. */
+  | ({ type: 'folding' } & Folding)
+  /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
+  | { type: 'time'; time: number };

@@ -1,27 +1,12 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DirectionalLight,
-  HemisphereLight,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  PerspectiveCamera,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import type { PictureSize } from './picture-size.js';
 import type { SizeMessage } from './drawing.js';
-import { addPaint, paintFaces } from './face-paint.js';
-import { HatchMaterial } from './hatch-material.js';
-import { extentOf, flatMesh } from './model-geometry.js';
-import type { ModelMessage } from './model-message.js';
+import { FoldingStage } from './folding-stage.js';
+import { extentOf } from './model-geometry.js';
+import { ModelMesh } from './model-mesh.js';
+import type { Folding, ModelMessage } from './model-message.js';
 import { Orbit, viewHeight } from './orbit.js';
-import { PartBorders } from './part-borders.js';
 import { Redraw } from './redraw.js';
-
-/** Lines along the borders of parts. */
-const ink = '#232a31';
 
 /** Radians per second of the slow turn, and ms between two of its steps. */
 const turnSpeed = 0.25;
@@ -33,15 +18,14 @@ export class ModelScene {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera();
   private readonly orbit = new Orbit(this.camera);
-  private readonly material = new HatchMaterial();
-  private readonly mesh = new Mesh(new BufferGeometry(), this.material);
-  private readonly borders = new LineSegments(
-    new BufferGeometry(),
-    new LineBasicMaterial({ color: ink }),
-  );
+  private readonly mesh = new ModelMesh();
   private readonly redraw = new Redraw(() => this.draw());
-  private faces: Int32Array = new Int32Array();
-  private edges: PartBorders | null = null;
+  private folding: Folding | null = null;
+  /** Made when it is first needed: most results are only looked at. */
+  private stage: FoldingStage | null = null;
+  /** How far the pieces are, and how far they are to be. */
+  private time = 1;
+  private wantedTime = 1;
   private visible = false;
   private turning = false;
   private lastTurn = -Infinity;
@@ -55,7 +39,7 @@ export class ModelScene {
     // The light stays at the beholder's shoulder, so that no side is ever dark.
     this.camera.add(sun, sun.target);
     this.scene.add(this.camera, new HemisphereLight('#ffffff', '#b8a98c', 1.5));
-    this.scene.add(this.mesh, this.borders);
+    this.scene.add(this.mesh.group);
     // Now, so that the first model does not have to wait for it.
     this.renderer.compile(this.scene, this.camera);
     canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
@@ -67,10 +51,10 @@ export class ModelScene {
         this.show(message);
         break;
       case 'labels':
-        this.paint(message.labels);
+        this.mesh.paint(message.labels);
         break;
       case 'hatched':
-        this.material.hatched = message.hatched;
+        this.mesh.hatched = message.hatched;
         break;
       case 'turning':
         this.turnAlone(message.turning);
@@ -78,6 +62,13 @@ export class ModelScene {
       case 'turn':
         this.turning = false;
         this.orbit.turn(message);
+        break;
+      case 'folding':
+        this.folding = message;
+        this.stage = null;
+        break;
+      case 'time':
+        this.wantedTime = message.time;
         break;
       case 'size':
         this.resize(message);
@@ -87,34 +78,26 @@ export class ModelScene {
   }
 
   private show({ vertices, faces }: Extract<ModelMessage, { type: 'model' }>): void {
-    const { positions, normals, uvs } = flatMesh(vertices, faces);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-    geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
-    addPaint(geometry, faces.length / 3);
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
-    this.faces = faces;
-    this.edges = null;
-    paintFaces(geometry, new Int32Array(faces.length / 3).fill(-1));
-    this.showBorders(new Float32Array());
-    this.orbit.reset(extentOf(positions, viewHeight));
+    this.mesh.show(vertices, faces);
+    this.folding = this.stage = null;
+    this.time = this.wantedTime = 1;
+    this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
   }
 
-  private paint(labels: Int32Array): void {
-    const { geometry } = this.mesh;
-    const positions = geometry.getAttribute('position') as BufferAttribute | undefined;
-    if (!positions || positions.count !== 3 * labels.length) return;
-    paintFaces(geometry, labels);
-    this.edges ??= new PartBorders(this.faces);
-    this.showBorders(this.edges.lines(labels, positions.array as Float32Array));
-  }
-
-  private showBorders(lines: Float32Array): void {
-    this.borders.geometry.dispose();
-    this.borders.geometry = new BufferGeometry();
-    this.borders.geometry.setAttribute('position', new BufferAttribute(lines, 3));
+  /** Moves the faces to where they are at the wanted time. */
+  private fold(): void {
+    if (!this.folding || this.wantedTime === this.time) return;
+    this.stage ??= new FoldingStage(this.folding);
+    // Whoever unfolds the model sees the table from the front, wherever the model was seen from.
+    if (this.time === 1) {
+      this.stage.turnTable(this.orbit.around);
+      this.mesh.lineCuts(this.stage.netVertices);
+    }
+    this.time = this.wantedTime;
+    if (this.time === 1) this.mesh.lineBorders();
+    const { positions, normals } = this.mesh;
+    this.orbit.frame(this.stage.write(this.time, positions, normals));
+    this.mesh.moved();
   }
 
   private turnAlone(turning: boolean): void {
@@ -144,6 +127,8 @@ export class ModelScene {
   }
 
   private draw(): void {
-    if (this.visible) this.renderer.render(this.scene, this.camera);
+    if (!this.visible) return;
+    this.fold();
+    this.renderer.render(this.scene, this.camera);
   }
 }

@@ -39,6 +39,17 @@ export class Orbit {
     this.camera.updateProjectionMatrix();
   }
 
+  /** Lets something of another extent fill the view, from where it is seen now. */
+  frame(extent: Extent): void {
+    this.extent = extent;
+    this.fit(this.aspect);
+  }
+
+  /** From where it is seen now, as an angle in radians around the upright axis. */
+  get around(): number {
+    return new Spherical().setFromVector3(this.camera.position).theta;
+  }
+
   turn({ around, down, away }: Turn): void {
     const place = new Spherical().setFromVector3(this.camera.position);
     place.theta += around;

@@ -1,0 +1,90 @@
+import type { Piece } from '../model/job.js';
+import { tempoFor, secondOf, timeAt, type Tempo } from '../model/tempo.js';
+import { find } from './dom.js';
+import { doubts, folded, joiningLetters } from './folding-words.js';
+
+/** Ms of a frame at most: after a pause, as in the background, it goes on where it was. */
+const longestFrame = 100;
+
+/**
+ * A slider and a button that unfold the model into its pieces and fold them up again. Nothing moves
+ * until one of them is used.
+ */
+export class FoldingPanel {
+  private readonly bar = find('#folding', HTMLElement);
+  private readonly slider = find('#folding-time', HTMLInputElement);
+  private readonly button = find('#folding-play', HTMLButtonElement);
+  private readonly words = find('#folding-words', HTMLOutputElement);
+  private readonly note = find('#folding-note', HTMLElement);
+  private letters: string[] = [];
+  private tempo: Tempo = tempoFor(1);
+  private playing = false;
+  private lastFrame = 0;
+  /** Finer than the slider's steps. */
+  private time = 1;
+
+  /** @param onTime is told how far the pieces shall be, from 0 (flat) to 1 (the model) */
+  constructor(private readonly onTime: (time: number) => void) {
+    this.slider.addEventListener('input', () => this.show(this.slider.valueAsNumber));
+    this.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
+  }
+
+  /** Offers to unfold the model that is shown into these pieces. */
+  offer(pieces: readonly Piece[]): void {
+    this.letters = joiningLetters(pieces);
+    this.tempo = tempoFor(pieces.length);
+    this.note.textContent = doubts(pieces);
+    this.note.hidden = this.note.textContent === '';
+    this.bar.hidden = false;
+    this.show(1);
+  }
+
+  /** Takes the offer back. */
+  clear(): void {
+    this.pause();
+    this.bar.hidden = this.note.hidden = true;
+  }
+
+  /** For a page that cannot show it. */
+  remove(): void {
+    this.bar.remove();
+    this.note.remove();
+  }
+
+  /** Goes to a time, and stays there. */
+  show(time: number): void {
+    this.pause();
+    this.go(time);
+  }
+
+  private go(time: number): void {
+    this.time = time;
+    this.slider.value = String(time);
+    const words = folded(time, this.letters);
+    this.words.textContent = words;
+    this.slider.setAttribute('aria-valuetext', words);
+    this.onTime(time);
+  }
+
+  private play(): void {
+    if (this.time >= 1) this.go(0);
+    this.playing = true;
+    this.button.textContent = 'Pause';
+    this.lastFrame = performance.now();
+    requestAnimationFrame(this.frame);
+  }
+
+  private pause(): void {
+    this.playing = false;
+    this.button.textContent = 'Play';
+  }
+
+  private readonly frame = (now: number): void => {
+    if (!this.playing) return;
+    const seconds = Math.min(Math.max(now - this.lastFrame, 0), longestFrame) / 1000;
+    this.lastFrame = now;
+    this.go(timeAt(this.tempo, secondOf(this.tempo, this.time) + seconds));
+    if (this.time >= 1) this.pause();
+    else requestAnimationFrame(this.frame);
+  };
+}
