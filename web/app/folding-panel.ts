@@ -51,8 +51,9 @@ export class FoldingPanel {
     this.note.remove();
   }
 
-  /** Goes to a time, and stays there. */
+  /** Goes to a time, and stays there; nothing happens where there is nothing to fold. */
   show(time: number): void {
+    if (this.bar.hidden) return;
     this.pause();
     this.go(time);
   }

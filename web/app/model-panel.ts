@@ -58,6 +58,11 @@ export class ModelPanel {
     this.view.tell({ type: 'hatched', hatched });
   }
 
+  /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
+  fold(time: number): void {
+    this.folding.show(time);
+  }
+
   /** Turns slowly, unless the person would rather have things rest. */
   turn(turning: boolean): void {
     const wanted = turning && !matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -1,20 +1,27 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { Heuristic, JobOptions, Segmenter, Solver } from '../model/job.js';
+import type { FoldingMode, Heuristic, JobOptions, Segmenter, Solver } from '../model/job.js';
 import { find } from './dom.js';
 
 /** What this part of the form decides. */
 export type Method = Pick<
   JobOptions,
-  'solver' | 'seed' | 'segment' | 'heuristic' | 'runs' | 'faces' | 'proxy'
+  'solver' | 'seed' | 'segment' | 'heuristic' | 'runs' | 'faces' | 'proxy' | 'folding'
 >;
 
 const solvers: readonly Solver[] = ['tree', 'genetic'];
 const segmenters: readonly Segmenter[] = ['merge', 'spectral'];
 const heuristics: readonly Heuristic[] = ['steepest', 'flat', 'hybrid', 'random'];
+const foldingModes: readonly FoldingMode[] = ['prefer', 'require', 'off'];
 
 const solverWords: Readonly<Record<Solver, string>> = {
   tree: 'Mends one unfolding step by step: fast.',
   genetic: 'The paper’s way: breeds nets; slow.',
+};
+
+const foldingWords: Readonly<Record<FoldingMode, string>> = {
+  prefer: 'Every net that folds without running into itself is proved to; others are reported.',
+  require: 'A part without a net that folds is split into pieces that do.',
+  off: 'Nets only have to lie flat.',
 };
 
 /** The value of a list; the default where a browser has kept one that exists no more. */
@@ -41,12 +48,16 @@ export class MoreOptions {
   private readonly runs = find('#runs', HTMLInputElement);
   private readonly faces = find('#faces', HTMLInputElement);
   private readonly proxy = find('#proxy', HTMLInputElement);
+  private readonly folding = find('#folding-mode', HTMLSelectElement);
+  private readonly foldingHint = find('#folding-hint', HTMLElement);
 
   constructor() {
     this.seed.placeholder = String(defaultOptions.seed);
     this.runs.placeholder = String(defaultOptions.runs);
     this.proxy.placeholder = String(defaultOptions.proxy);
-    this.solver.addEventListener('change', () => this.explain());
+    for (const list of [this.solver, this.folding]) {
+      list.addEventListener('change', () => this.explain());
+    }
     this.explain();
     // A field that makes no sense cannot be pointed at while it is folded away.
     const more = find('#more', HTMLDetailsElement);
@@ -63,6 +74,7 @@ export class MoreOptions {
       runs: amount(this.runs, defaultOptions.runs),
       faces: amount(this.faces, defaultOptions.faces),
       proxy: amount(this.proxy, defaultOptions.proxy),
+      folding: this.chosenFolding(),
     };
   }
 
@@ -70,7 +82,12 @@ export class MoreOptions {
     return chosen(this.solver, solvers, defaultOptions.solver);
   }
 
+  private chosenFolding(): FoldingMode {
+    return chosen(this.folding, foldingModes, defaultOptions.folding);
+  }
+
   private explain(): void {
     this.hint.textContent = solverWords[this.chosenSolver()];
+    this.foldingHint.textContent = foldingWords[this.chosenFolding()];
   }
 }

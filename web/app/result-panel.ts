@@ -5,6 +5,7 @@ import type { Wishes } from './options-form.js';
 import { leadSentence, netRemarks, repairRemarks, resultFacts } from './result-words.js';
 import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
+import type { StepsPanel } from './steps-panel.js';
 
 /** A finished run: what was asked for and what came out. */
 export interface FinishedRun {
@@ -24,7 +25,7 @@ function remarkList(title: string, remarks: string[]): HTMLElement[] {
   return [make('h3', { textContent: title }), make('ul', {}, ...items)];
 }
 
-/** The summary of a result with its downloads and its sheets. */
+/** The summary of a result with its downloads, its sheets and the steps to build it. */
 export class ResultPanel {
   private readonly panel = find('#result', HTMLElement);
   private readonly title = find('#result-title', HTMLElement);
@@ -38,6 +39,7 @@ export class ResultPanel {
   constructor(
     private readonly downloads: DownloadBar,
     private readonly sheets: SheetList,
+    private readonly steps: StepsPanel,
   ) {}
 
   /** Whether there is a result on the page. */
@@ -94,6 +96,7 @@ export class ResultPanel {
     this.remarks.replaceChildren(...remarks);
     this.remarks.hidden = remarks.length === 0;
     this.downloads.offer(writer);
+    this.steps.offer(result.pieces);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
     this.panel.hidden = false;

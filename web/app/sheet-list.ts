@@ -2,10 +2,12 @@ import type { JobResult } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import { pieceLetter } from '../model/piece-letter.js';
 import { partHatch } from '../view/part-hatches.js';
+import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture } from '../view/sheet-picture.js';
 import { find, make } from './dom.js';
 import { nextFrame } from './next-frame.js';
 import type { ResultWriter } from './result-writer.js';
+import type { MarksBySheet } from './step-marks.js';
 
 /** One sheet with its caption, from its SVG. */
 function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
@@ -29,6 +31,7 @@ export class SheetList {
   private readonly zoom = find('#zoom', HTMLInputElement);
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
+  private sheets: HTMLLIElement[] = [];
 
   constructor() {
     this.zoom.addEventListener('input', () => this.resize());
@@ -50,6 +53,7 @@ export class SheetList {
 
   /** Puts the first of the sheets that were drawn in the place of those before. */
   show(sheets: HTMLLIElement[]): void {
+    this.sheets = sheets;
     this.list.replaceChildren(...sheets.slice(0, 1));
     this.coming = sheets.slice(1);
     this.resize();
@@ -61,6 +65,14 @@ export class SheetList {
       await nextFrame();
       this.list.append(...this.coming.splice(0, 1));
     }
+  }
+
+  /** Marks lines on the sheets, in place of those that were marked before. */
+  mark(marks: MarksBySheet): void {
+    this.sheets.forEach((sheet, index) => {
+      const svg = sheet.querySelector('svg');
+      if (svg) markSheet(svg, marks.get(index) ?? []);
+    });
   }
 
   private resize(): void {

@@ -13,6 +13,7 @@ import { type FinishedRun, ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
+import { StepsPanel } from './steps-panel.js';
 import { Workshop } from './workshop.js';
 
 /** Ms after the page is complete: its pictures shall be there first. */
@@ -38,7 +39,12 @@ export class Studio {
     const downloads = new DownloadBar((format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
     );
-    this.result = new ResultPanel(downloads, new SheetList());
+    const sheets = new SheetList();
+    const steps = new StepsPanel({
+      mark: (marks) => sheets.mark(marks),
+      show: (time) => this.workshop.fold(time),
+    });
+    this.result = new ResultPanel(downloads, sheets, steps);
     new HatchSwitch((hatched) => this.workshop.hatch(hatched));
   }
 

@@ -84,6 +84,11 @@ export class Workshop {
     this.note.hidden = !this.open;
   }
 
+  /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
+  fold(time: number): void {
+    this.model.fold(time);
+  }
+
   /** Draws the parts with hatches, or without. */
   hatch(hatched: boolean): void {
     this.model.hatch(hatched);
