@@ -11,6 +11,11 @@ constexpr std::uint64_t kExchange = 4;  // names the border exchange in task_see
 // Exchanges of one part: the first gives it a net, another one, if need be, a net that folds.
 constexpr int kMostExchanges = 3;
 
+int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
+  return static_cast<int>(
+      overlapping_panels(graph, lay_out(graph, hang_tree(graph, folds))).size());
+}
+
 }  // namespace
 
 PartTrees::PartTrees(const JobState& state) : first_part_{0} {
@@ -100,7 +105,10 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
     const auto left = result.shortfalls.find(label);
     if (left != result.shortfalls.end()) {
       // It is no better off than before, and goes on waiting.
-      trees_[changed] = {{region(state, changed), folds, {}}, left->second, left->second};
+      Region now = region(state, changed);
+      const DualGraph graph = restrict_to(state.components[component].graph, now.panels);
+      const int overlaps = count_overlaps(graph, folds);
+      trees_[changed] = {{std::move(now), folds, {}}, overlaps, left->second};
       continue;
     }
     waiting_.erase(changed);

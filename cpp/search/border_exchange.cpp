@@ -202,6 +202,7 @@ void BorderExchange::end_step() {
            (added <= 0 || random_.uniform() < std::exp(-added / options_.temperature));
     if (keep) {
       if (known > 0) shortfalls_[neighbour_] = other;
+      if (other == 0) shortfalls_.erase(neighbour_);
       trees_[neighbour_] = other_.search->best();
       remember_folds(other_);
     } else {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "folding.h"
 #include "meshes.h"
 #include "parts.h"
 #include "trees.h"
@@ -50,6 +51,39 @@ TEST(BorderExchange, CuresAPartWithoutANet) {
       EXPECT_TRUE(is_net(apron.mesh, graph, exchange.trees().at(part)));
     }
   }
+}
+
+TEST(BorderExchange, GivesBothPartsNetsThatFold) {
+  const Apron apron(7, 3);  // 401 degrees
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    BorderExchange exchange(apron.mesh, apron.graph, apron.parts(),
+                            {.clearance = kClearance, .seed = seed});
+    ASSERT_EQ(exchange.step(kToTheEnd), State::kFound);
+    EXPECT_EQ(fault_of_parts(apron.graph, exchange.labels()), "");
+    EXPECT_TRUE(exchange.shortfalls().empty());
+    for (const int part : {0, 1}) {
+      const DualGraph graph = restrict_to(apron.graph, panels_of(exchange.labels(), part));
+      const FoldTree& folds = exchange.trees().at(part);
+      EXPECT_TRUE(is_net(apron.mesh, graph, folds));
+      const Foldable foldable = make_foldable(graph);
+      Certificate certificate(foldable, folds, straight_leg(graph));
+      EXPECT_EQ(certificate.step(kToTheEnd), Certificate::State::kCertified);
+      const PlainFolder folder(apron.mesh, graph, folds);
+      EXPECT_TRUE(
+          colliding_times(folder, fold_angles(graph, 0), fold_angles(graph, 1), 1000).empty());
+    }
+  }
+}
+
+TEST(BorderExchange, ForgetsWhatANeighbourLackedOnceItHasIt) {
+  // The apron is said to lack something, but any tree of its strip is a net.
+  const Apron apron(7, 3);
+  PartsSoFar parts = apron.parts();
+  parts.shortfalls[1] = 2;
+  BorderExchange exchange(apron.mesh, apron.graph, parts, {.seed = 1});
+  ASSERT_EQ(exchange.step(kToTheEnd), State::kFound);
+  EXPECT_TRUE(exchange.shortfalls().empty());
 }
 
 TEST(BorderExchange, KeepsPartsConnectedAllTheWay) {

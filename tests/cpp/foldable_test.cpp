@@ -251,39 +251,13 @@ TEST(CollidingPanels, SparePanelsThatAFoldJoins) {
   EXPECT_EQ(colliding_panels(rolled, tree, fold_up(rolled, tree, shut)), outer);
 }
 
-/// Two unit squares on edge that cross in the middle, joined far below by a third: one component.
-Mesh crossing_flaps() {
-  return make_mesh({{0, 0, 0},
-                    {1, 0, 0},
-                    {1, 1, 0},
-                    {0, 1, 0},
-                    {1.2, 0, 1},
-                    {1.2, 1, 1},
-                    {-0.2, 0, 1},
-                    {-0.2, 1, 1},
-                    {-1, 0, 2},
-                    {-1, 1, 2},
-                    {2, 0, 2.1},
-                    {2, 1, 2.1}},
-                   {{0, 1, 2},
-                    {0, 2, 3},
-                    {1, 4, 5},
-                    {1, 5, 2},
-                    {6, 0, 3},
-                    {6, 3, 7},
-                    {4, 8, 9},
-                    {4, 9, 5},
-                    {10, 6, 7},
-                    {10, 7, 11}});
-}
-
 TEST(MeetsItself, IsSaidOfAComponentThatRunsThroughItself) {
-  const Mesh mesh = crossing_flaps();
+  const Mesh mesh = crossing_strip();
   const DualGraph graph = build_dual_graph(mesh);
   ASSERT_EQ(graph.panel_count(), 5);
   ASSERT_EQ(graph.hinge_count(), 4);
   EXPECT_TRUE(meets_itself(make_foldable(graph)));
-  // Without one of the flaps that cross there is nothing to run through.
+  // Without its last panel there is nothing to run through.
   EXPECT_FALSE(meets_itself(make_foldable(restrict_to(graph, std::vector<int>{0, 1, 2, 3}))));
 }
 

@@ -193,6 +193,21 @@ Mesh accordion(const std::vector<double>& widths) {
   return make_mesh(std::move(positions), std::move(faces));
 }
 
+Mesh crossing_strip() {
+  std::vector<Vec3> positions;
+  for (const Vec2& p :
+       {Vec2(-1, 2), Vec2(1.2, 1), Vec2(1, 0), Vec2(0, 0), Vec2(-0.2, 1), Vec2(2, 2.1)}) {
+    positions.emplace_back(p.x(), 0, p.y());
+    positions.emplace_back(p.x(), 1, p.y());
+  }
+  std::vector<Face> faces;
+  for (int i = 0; i < 5; ++i) {
+    const int a = 2 * i;
+    faces.insert(faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
 Mesh saddle(int faces, double turn) {
   // Rim points at heights +-h over the unit circle: neighbours are seen from the centre at an angle
   // with cosine (cos(2 pi / n) - h^2) / (1 + h^2), which is to be that of turn / n.

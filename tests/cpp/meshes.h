@@ -38,6 +38,9 @@ Mesh two_sided_square();
 /// Open strip of rectangles of height 1, folded up and down by right angles: one panel each.
 Mesh accordion(const std::vector<double>& widths);
 
+/// Open strip of five panels, of which the first and the last run through each other.
+Mesh crossing_strip();
+
 /// Open fan of `faces` equal triangles around vertex 0 whose angles there sum up to `turn`. With
 /// more than a full turn no net of it exists. \pre faces is even, turn > 2 pi
 Mesh saddle(int faces, double turn);

@@ -145,6 +145,62 @@ TEST(MovingLayout, EqualsALayoutFromScratchAfterAnySwaps) {
   }
 }
 
+constexpr std::array<double, 3> kShares = {0.4, 0.8, 1};
+
+/// Overlaps in the plane and collisions at each of `kShares`, looked for from scratch.
+Overlaps conflicts_of(const Foldable& foldable, const FoldTree& folds) {
+  const DualGraph& graph = *foldable.graph;
+  Overlaps all = testing::overlaps_of(graph, folds);
+  const RootedTree tree = hang_tree(graph, folds);
+  for (const double share : kShares) {
+    const auto layout = fold_up(foldable, tree, fold_angles(graph, share));
+    std::ranges::copy(colliding_panels(foldable, tree, layout), std::back_inserter(all));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+TEST(MovingLayout, KeepsCollisionsInSpaceUpToDate) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (const Mesh& mesh : {random_hull(seed, 30), bumpy_sphere(80), torus(7, 5), l_prism()}) {
+      const DualGraph graph = build_dual_graph(mesh);
+      SCOPED_TRACE(graph.panel_count());
+      const Foldable foldable = make_foldable(graph);
+      MovingLayout layout(graph, random_tree(graph, random));
+      for (const double share : kShares) layout.add_layer(foldable, share);
+      EXPECT_EQ(layout.layer_count(), 3);
+      for (int swap = 0; swap < 150; ++swap) {
+        const FoldTree folds = layout.folds();
+        layout.select_side(folds[random.below(static_cast<int>(folds.size()))]);
+        const auto joins = layout.joins();
+        if (joins.empty()) continue;
+        const int join = joins[random.below(static_cast<int>(joins.size()))];
+        const int old = layout.crossing_conflicts();
+        const int before = layout.conflict_count();
+        const double limit = swap % 2 == 0 ? std::numeric_limits<double>::infinity() : old;
+        const int now = layout.try_join(join, limit);
+        if (now > limit) continue;
+        layout.accept();
+        ASSERT_EQ(layout.conflict_count(), before - old + now);
+        Overlaps conflicts = layout.conflicts();
+        std::ranges::sort(conflicts);
+        ASSERT_EQ(conflicts, conflicts_of(foldable, layout.folds())) << "after swap " << swap;
+        EXPECT_EQ(layout.overlap_count() + layout.collision_count(), layout.conflict_count());
+        if (conflicts.empty()) continue;
+        auto pair = layout.random_conflict(random);
+        std::ranges::sort(pair);
+        EXPECT_TRUE(std::ranges::binary_search(conflicts, pair));
+      }
+      layout.refresh();
+      Overlaps conflicts = layout.conflicts();
+      std::ranges::sort(conflicts);
+      EXPECT_EQ(conflicts, conflicts_of(foldable, layout.folds()));
+    }
+  }
+}
+
 TEST(MovingLayout, StopsCountingAboveTheLimit) {
   const DualGraph graph = build_dual_graph(star());
   Random random(1);

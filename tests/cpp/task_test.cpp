@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "folding.h"
 #include "meshes.h"
 #include "parts.h"
 #include "trees.h"
@@ -78,6 +79,63 @@ TEST(SearchTask, GivesANetOfItsPanels) {
     EXPECT_TRUE(is_net(surface->mesh, graph, result.folds));
     EXPECT_EQ(std::get<SearchResult>(run(task, 1)).folds, result.folds);
   }
+}
+
+TEST(SearchTask, SaysWhetherItsNetFolds) {
+  const auto surface = make_surface(0, bumpy_sphere(120));
+  const auto search = [&](double clearance) {
+    return std::get<SearchResult>(
+        run(whole_task(surface, SearchTask{{.clearance = clearance, .seed = 2}})));
+  };
+  const SearchResult any = search(0);
+  EXPECT_EQ(any.overlaps, 0);
+  EXPECT_EQ(any.shortfall, 0);
+  EXPECT_FALSE(any.folds_straight) << "nobody looked";
+  const SearchResult folding = search(kClearance);
+  EXPECT_TRUE(folding.folds_straight);
+  EXPECT_EQ(folding.shortfall, 0);
+  const Foldable foldable = make_foldable(surface->graph);
+  Certificate certificate(foldable, folding.folds, straight_leg(surface->graph));
+  EXPECT_EQ(certificate.step(kToTheEnd), Certificate::State::kCertified);
+}
+
+TEST(SearchTask, SaysHowFarItIsFromANetThatFolds) {
+  const auto surface = make_surface(0, crossing_strip());
+  const auto result = std::get<SearchResult>(
+      run(whole_task(surface, SearchTask{{.patience = 100, .clearance = kClearance}})));
+  EXPECT_EQ(result.overlaps, 0);
+  EXPECT_GT(result.shortfall, 0);
+  EXPECT_FALSE(result.folds_straight);
+}
+
+TEST(SearchTask, StartsFromATreeThatIsGiven) {
+  const auto surface = make_surface(0, cube());
+  const DualGraph& graph = surface->graph;
+  const FoldTree net = all_spanning_trees(graph)[100];
+  ASSERT_TRUE(is_net(surface->mesh, graph, net));
+  EXPECT_EQ(std::get<SearchResult>(run(whole_task(surface, SearchTask{{}, net}))).folds, net);
+}
+
+TEST(PlanTask, FoldsANetOfItsPanels) {
+  const auto surface = make_surface(0, bumpy_sphere(80));
+  const DualGraph& graph = surface->graph;
+  const FoldTree folds = net_that_does_not_fold_straight(surface->mesh, graph, 10);
+  ASSERT_FALSE(folds.empty());
+  const Task task = whole_task(surface, PlanTask{folds, kClearance, 4});
+  const FoldMotion motion = std::get<PlanResult>(run(task)).motion;
+  EXPECT_EQ(motion.kind, Folding::kWaypoints);
+  const PlainFolder folder(surface->mesh, graph, folds);
+  EXPECT_TRUE(colliding_times(folder, graph, folds, motion, 300).empty());
+  EXPECT_EQ(std::get<PlanResult>(run(task, 1000)).motion.shares, motion.shares);
+}
+
+TEST(PlanTask, HasNoNetToShow) {
+  const auto surface = make_surface(0, cube());
+  TaskRunner runner(whole_task(surface, PlanTask{all_spanning_trees(surface->graph)[0], 0.01, 1}));
+  const TaskStatus status = runner.status(true);
+  EXPECT_FALSE(status.net);
+  EXPECT_TRUE(status.generations.empty());
+  EXPECT_EQ(status.progress, 0);
 }
 
 TEST(SearchTask, ShowsItsBestTree) {

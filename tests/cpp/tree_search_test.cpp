@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "folding.h"
 #include "mesh/repair.h"
 #include "meshes.h"
 #include "parts.h"
@@ -108,6 +109,74 @@ TEST(TreeSearch, NeverLosesItsBest) {
     EXPECT_GE(search.impatience(), 0);
     EXPECT_LE(search.impatience(), 1);
   }
+}
+
+/// Whether the best tree of a search is a net that folds straight, by means of its own.
+void expect_to_fold(const Mesh& mesh, const DualGraph& graph, const TreeSearch& search) {
+  EXPECT_TRUE(is_net(mesh, graph, search.best()));
+  EXPECT_EQ(search.best_overlaps(), 0);
+  EXPECT_EQ(search.best_collisions(), 0);
+  EXPECT_EQ(search.shortfall(), 0);
+  EXPECT_TRUE(search.conflicts().empty());
+  const Foldable foldable = make_foldable(graph);
+  Certificate certificate(foldable, search.best(), straight_leg(graph));
+  EXPECT_EQ(certificate.step(kToTheEnd), Certificate::State::kCertified);
+  const PlainFolder folder(mesh, graph, search.best());
+  EXPECT_TRUE(colliding_times(folder, fold_angles(graph, 0), fold_angles(graph, 1), 200).empty());
+}
+
+TEST(TreeSearch, FindsNetsThatFoldWhenAskedTo) {
+  for (const Mesh& mesh : {cube(), tetrahedron(), icosahedron(), l_prism(), two_sided_square(),
+                           open_strip(4), accordion({1, 2, 1}), bumpy_sphere(150), dumbbell()}) {
+    const DualGraph graph = build_dual_graph(mesh);
+    SCOPED_TRACE(graph.panel_count());
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(seed);
+      TreeSearch search(mesh, graph, {.clearance = kClearance, .seed = seed});
+      ASSERT_EQ(search.step(kToTheEnd), State::kFound);
+      expect_to_fold(mesh, graph, search);
+    }
+  }
+}
+
+TEST(TreeSearch, GivesUpWhereNothingFolds) {
+  // No net at all, and a net of a model that meets itself.
+  const Unfoldable fan = unfoldable(saddle(8, 7));
+  TreeSearch no_net(fan.mesh, fan.graph, {.patience = 500, .clearance = kClearance});
+  EXPECT_EQ(no_net.step(kToTheEnd), State::kGaveUp);
+  EXPECT_GT(no_net.best_overlaps(), 0);
+  EXPECT_GT(no_net.shortfall(), 0);
+  const Unfoldable strip = unfoldable(crossing_strip());
+  TreeSearch no_motion(strip.mesh, strip.graph, {.patience = 500, .clearance = kClearance});
+  EXPECT_EQ(no_motion.step(kToTheEnd), State::kGaveUp);
+  EXPECT_EQ(no_motion.best_overlaps(), 0);
+  EXPECT_GT(no_motion.shortfall(), 0);
+  EXPECT_EQ(no_motion.step(1000), State::kGaveUp);
+}
+
+TEST(TreeSearch, DoesNotDependOnTheSlicingWhenItFolds) {
+  const Unfoldable surface = unfoldable(bumpy_sphere(150));
+  const auto run = [&](std::int64_t slice) {
+    TreeSearch search(surface.mesh, surface.graph,
+                      {.starts = 2, .clearance = kClearance, .seed = 4});
+    while (search.step(slice) == State::kRunning) continue;
+    return std::tuple(search.state(), search.best(), search.moves(), search.shortfall());
+  };
+  const auto at_once = run(kToTheEnd);
+  for (const std::int64_t slice : {1, 37, 5000}) EXPECT_EQ(run(slice), at_once);
+}
+
+TEST(TreeSearch, KeepsItsNetWhileItSearchesOneThatFolds) {
+  const Unfoldable surface = unfoldable(bumpy_sphere(250));
+  TreeSearch search(surface.mesh, surface.graph, {.clearance = kClearance, .seed = 3});
+  search.step(1);
+  for (int before = search.best_overlaps(); search.step(500) == State::kRunning;) {
+    EXPECT_LE(search.best_overlaps(), before);
+    before = search.best_overlaps();
+    EXPECT_EQ(static_cast<int>(overlaps_of(surface.graph, search.best()).size()), before);
+    EXPECT_GT(search.shortfall(), 0);
+  }
+  EXPECT_EQ(search.state(), State::kFound);
 }
 
 TEST(TreeSearch, StartsFromATreeThatIsGiven) {

@@ -18,8 +18,12 @@ TaskResult run(Task task) {
 /// Every kind of work, with all options other than by default.
 std::vector<Work> all_kinds_of_work() {
   const LearnOptions learn = {Heuristic::kHybrid, DirectionSet::kEdges, 9, 77};
-  const TreeSearchOptions search = {
-      .starts = 3, .temperature = 0.7, .patience = 60, .good_enough = 1, .seed = 5};
+  const TreeSearchOptions search = {.starts = 3,
+                                    .temperature = 0.7,
+                                    .patience = 60,
+                                    .good_enough = 1,
+                                    .clearance = 0.02,
+                                    .seed = 5};
   const GeneticOptions genetic = {.population = 12,
                                   .offspring = 4,
                                   .generations = 6,
@@ -31,10 +35,15 @@ std::vector<Work> all_kinds_of_work() {
                                   .hyperbolic_cost = 3,
                                   .seed = 8};
   const PartsSoFar parts = {{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}, {2, 3, 5, 6}, {{0, 1}}};
-  const ExchangeOptions exchange = {
-      .part = 0, .most_steps = 40, .most_moves = 100000, .temperature = 0.9, .seed = 6};
-  return {LearnTask{learn, 2, 7}, SearchTask{search}, GeneticTask{genetic},
-          ExchangeTask{parts, exchange}};
+  const ExchangeOptions exchange = {.part = 0,
+                                    .most_steps = 40,
+                                    .most_moves = 100000,
+                                    .temperature = 0.9,
+                                    .clearance = 0.03,
+                                    .seed = 6};
+  const FoldTree folds = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10};
+  return {LearnTask{learn, 2, 7}, SearchTask{search, folds}, GeneticTask{genetic},
+          ExchangeTask{parts, exchange}, PlanTask{folds, 0.04, 10}};
 }
 
 TEST(Wire, CarriesTasksThatGiveTheSameResult) {
@@ -72,7 +81,9 @@ TEST(Wire, CarriesEveryOptionOfATask) {
   EXPECT_EQ(search.temperature, 0.7);
   EXPECT_EQ(search.patience, 60);
   EXPECT_EQ(search.good_enough, 1);
+  EXPECT_EQ(search.clearance, 0.02);
   EXPECT_EQ(search.seed, 5u);
+  EXPECT_EQ(std::get<SearchTask>(carried(1)).initial.size(), 10u);
   const GeneticOptions genetic = std::get<GeneticTask>(carried(2)).options;
   EXPECT_EQ(genetic.population, 12);
   EXPECT_EQ(genetic.offspring, 4);
@@ -91,7 +102,12 @@ TEST(Wire, CarriesEveryOptionOfATask) {
   EXPECT_EQ(exchange.options.most_steps, 40);
   EXPECT_EQ(exchange.options.most_moves, 100000);
   EXPECT_EQ(exchange.options.temperature, 0.9);
+  EXPECT_EQ(exchange.options.clearance, 0.03);
   EXPECT_EQ(exchange.options.seed, 6u);
+  const PlanTask plan = std::get<PlanTask>(carried(4));
+  EXPECT_EQ(plan.folds, (FoldTree{0, 1, 2, 3, 4, 5, 6, 8, 9, 10}));
+  EXPECT_EQ(plan.clearance, 0.04);
+  EXPECT_EQ(plan.seed, 10u);
 }
 
 TEST(Wire, CarriesSurfaces) {
@@ -122,6 +138,22 @@ TEST(Wire, CarriesStatus) {
   EXPECT_EQ(copy.net->sources, status.net->sources);
   EXPECT_EQ(copy.net->overlapping, status.net->overlapping);
   EXPECT_FALSE(decode_status(encode(TaskStatus{})).net);
+}
+
+TEST(Wire, CarriesEveryFieldOfASearchAndAPlan) {
+  const TaskResult found = SearchResult{{3, 4}, 5, 6, true, 7, 8};
+  const auto search = std::get<SearchResult>(decode_result(encode(found)));
+  EXPECT_EQ(search.folds, (FoldTree{3, 4}));
+  EXPECT_EQ(search.overlaps, 5);
+  EXPECT_EQ(search.shortfall, 6);
+  EXPECT_TRUE(search.folds_straight);
+  EXPECT_EQ(search.moves, 7);
+  EXPECT_EQ(search.generations, 8);
+  const TaskResult planned = PlanResult{motion_over({{0, 0}, {0.25, 1}, {1, 1}})};
+  const FoldMotion motion = std::get<PlanResult>(decode_result(encode(planned))).motion;
+  EXPECT_EQ(motion.kind, Folding::kWaypoints);
+  EXPECT_EQ(motion.times, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(motion.shares, (std::vector<std::vector<double>>{{0, 0}, {0.25, 1}, {1, 1}}));
 }
 
 TEST(Wire, CarriesEveryFieldOfAnExchange) {
