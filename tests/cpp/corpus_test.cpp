@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "folding.h"
 #include "mesh/input_error.h"
 #include "mesh_faults.h"
 #include "meshes.h"
+#include "pipeline/job.h"
 #include "shared_models.h"
 
 namespace foldwright::testing {
@@ -53,6 +55,32 @@ TEST(Corpus, ClosedManifoldsNeedNoRepair) {
     EXPECT_EQ(border_edge_count(model.mesh), 0);
     EXPECT_EQ(model.mesh.face_count(), model.source_face_count);
   }
+}
+
+TEST(Corpus, EveryPieceFoldsUp) {
+  int count = 0;
+  for (const fs::path& path : files_below("models/organic")) {
+    const std::string name = path.filename().string();
+    if (!name.ends_with("_300.obj")) continue;
+    SCOPED_TRACE(name);
+    const std::string text = bytes_of(path);
+    const auto bytes = std::as_bytes(std::span(text));
+    Job job({bytes.begin(), bytes.end()}, name, {.parts = 8, .runs = 100});
+    Events events;
+    while (!job.finished()) events = job.step(1000000);
+    ASSERT_TRUE(std::holds_alternative<DoneEvent>(events.back()));
+    const JobResult& result = *std::get<DoneEvent>(events.back()).result;
+    EXPECT_EQ(result.pieces.size(), 8u);
+    const DualGraph graph = build_dual_graph(result.mesh);
+    for (const Piece& piece : result.pieces) {
+      EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
+      // Looking at all pairs a thousand times is slow: at those of every third model.
+      if (count % 3 != 0) continue;
+      EXPECT_TRUE(colliding_times(result, graph, piece, 1000).empty());
+    }
+    ++count;
+  }
+  if (count == 0) GTEST_SKIP() << kNoSharedModels;
 }
 
 }  // namespace

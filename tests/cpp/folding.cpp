@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -240,6 +241,69 @@ std::vector<double> colliding_times(const PlainFolder& folder, const DualGraph& 
     if (folder.collides(fold_angles(graph, folds, shares_at(motion, time)))) times.push_back(time);
   }
   return times;
+}
+
+std::string fault_of_motion(const PieceMotion& motion, const Net& net) {
+  const auto& [kind, root, times, angles] = motion;
+  if (kind != Folding::kLine && kind != Folding::kWaypoints) return "no motion";
+  if (times.size() < 2 || times.size() != angles.size()) return "not as many keys as times";
+  if ((kind == Folding::kLine) != (times.size() == 2)) return "a line that is none";
+  if (times.front() != 0 || times.back() != 1) return "times that are not from 0 to 1";
+  if (!std::ranges::is_sorted(times, std::less_equal<>())) return "times out of order";
+  if (root < 0 || root >= std::ssize(net.faces)) return "a root that is not in the net";
+  for (const std::vector<double>& key : angles) {
+    if (key.size() != net.edges.size()) return "not as many angles as edges";
+  }
+  for (std::size_t i = 0; i < net.edges.size(); ++i) {
+    const NetEdge& edge = net.edges[i];
+    const bool folds =
+        edge.assignment == Assignment::kMountain || edge.assignment == Assignment::kValley;
+    if (angles.front()[i] != 0) return "a fold that is not flat at first";
+    if (folds && angles.back()[i] != edge.angle) return "a fold that is not closed at last";
+    for (const std::vector<double>& key : angles) {
+      if (edge.assignment == Assignment::kCut && key[i] != 0) return "a cut that folds";
+      const double most = std::abs(edge.angle);
+      if (key[i] * edge.angle < 0 || std::abs(key[i]) > most) return "a fold that goes too far";
+    }
+  }
+  return "";
+}
+
+std::vector<double> colliding_times(const JobResult& result, const DualGraph& whole,
+                                    const Piece& piece, int samples) {
+  std::vector<int> panels;
+  for (int panel = 0; panel < whole.panel_count(); ++panel) {
+    const int face = whole.panel_faces(panel)[0];
+    if (std::ranges::binary_search(piece.net.faces, face)) panels.push_back(panel);
+  }
+  const DualGraph graph = restrict_to(whole, panels);
+  std::vector<int> edge_of_mesh_edge(result.mesh.edges.size(), -1);
+  for (std::size_t i = 0; i < piece.net.edges.size(); ++i) {
+    const NetEdge& edge = piece.net.edges[i];
+    if (edge.assignment != Assignment::kCut)
+      edge_of_mesh_edge[edge.mesh_edge] = static_cast<int>(i);
+  }
+  FoldTree folds;
+  std::vector<int> edge_of_hinge;
+  for (int h = 0; h < graph.hinge_count(); ++h) {
+    edge_of_hinge.push_back(edge_of_mesh_edge[graph.hinges[h].edges[0]]);
+    if (edge_of_hinge.back() != -1) folds.push_back(h);
+  }
+  const PlainFolder folder(result.mesh, graph, folds);
+  std::vector<double> colliding;
+  std::size_t key = 0;
+  for (int i = 0; i <= samples; ++i) {
+    const double time = static_cast<double>(i) / samples;
+    while (key + 2 < piece.motion.times.size() && time > piece.motion.times[key + 1]) ++key;
+    const double start = piece.motion.times[key];
+    const double s = (time - start) / (piece.motion.times[key + 1] - start);
+    const std::vector<double> of_edges =
+        between(piece.motion.angles[key], piece.motion.angles[key + 1], s);
+    std::vector<double> angles;
+    for (const int edge : edge_of_hinge) angles.push_back(edge == -1 ? 0 : of_edges[edge]);
+    if (folder.collides(angles)) colliding.push_back(time);
+  }
+  return colliding;
 }
 
 FoldTree searched_net(const Mesh& mesh, const DualGraph& graph, std::uint64_t seed,

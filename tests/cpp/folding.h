@@ -4,6 +4,7 @@
 
 #include "fold/motion.h"
 #include "geometry/triangle3.h"
+#include "pipeline/result.h"
 
 /// Nets folded up for tests, by other means than the engine's: from the model's own coordinates, by
 /// Rodrigues' formula, each face eroded corner by corner, and every pair of faces looked at.
@@ -55,6 +56,15 @@ std::vector<double> colliding_times(const PlainFolder& folder, const std::vector
 /// The same for a whole motion.
 std::vector<double> colliding_times(const PlainFolder& folder, const DualGraph& graph,
                                     const FoldTree& folds, const FoldMotion& motion, int samples);
+
+/// What is wrong with how a certified piece is said to fold: keys, times, angles, the face that
+/// stays. Empty when nothing is.
+std::string fault_of_motion(const PieceMotion& motion, const Net& net);
+
+/// Of `samples` + 1 times of a piece's motion, those at which faces collide. `whole`: the dual
+/// graph of the result's mesh
+std::vector<double> colliding_times(const JobResult& result, const DualGraph& whole,
+                                    const Piece& piece, int samples);
 
 /// Net of a graph that a search finds, with a clearance one that folds straight; empty if it gives
 /// up.
