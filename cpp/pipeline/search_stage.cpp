@@ -118,10 +118,11 @@ class SearchStage : public Stage {
     return state.options.folding != FoldingMode::kOff && !region.meets_itself;
   }
 
-  /// Seeds that a region gets before it counts as having no net.
-  static int attempts_for(const JobState& state, const Region& region) {
+  /// Seeds that a region gets before it counts as having no net, or none that folds straight: such
+  /// a one is planned a motion for sooner than searched anew.
+  static int attempts_for(const JobState& state, const Region& region, bool has_net) {
     if (state.options.solver == Solver::kGenetic) return kEvolutions;
-    return is_component(state, region) ? kAttemptsOfWhole : kAttemptsOfPart;
+    return is_component(state, region) && !has_net ? kAttemptsOfWhole : kAttemptsOfPart;
   }
 
   static bool is_component(const JobState& state, const Region& region) {
@@ -177,12 +178,14 @@ class SearchStage : public Stage {
       best = {result.folds, result.overlaps, result.shortfall, {}};
       if (result.folds_straight) best.motion = straight_motion(best.folds);
     }
-    const bool wants = wants_motion(state, search.region);
-    if (best.is_net() && (!wants || best.motion.certified())) {
+    const bool is_enough = best.motion.certified() || state.options.folding == FoldingMode::kOff;
+    if (best.is_net() && is_enough) {
       settle(state, std::move(search), events);
+    } else if (best.is_net() && search.region.meets_itself) {
+      give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
-    } else if (++search.attempt < attempts_for(state, search.region)) {
+    } else if (++search.attempt < attempts_for(state, search.region, best.is_net())) {
       queue_attempt(state, queue, std::move(search));
     } else if (best.is_net()) {
       plan(state, queue, std::move(search));

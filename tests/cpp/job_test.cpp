@@ -389,14 +389,23 @@ TEST(Job, LooksAtNoMotionWhenFoldingIsOff) {
 }
 
 TEST(Job, SaysWhenAModelMeetsItself) {
-  for (const FoldingMode folding : {FoldingMode::kPrefer, FoldingMode::kRequire}) {
-    const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = folding});
-    expect_sound(outcome);
-    EXPECT_TRUE(outcome.notices().contains("meets-itself"));
-    EXPECT_FALSE(outcome.notices().contains("no-motion"));
-    ASSERT_EQ(outcome.result->pieces.size(), 1u);
-    EXPECT_EQ(outcome.result->pieces[0].motion.kind, Folding::kNone);
-    EXPECT_TRUE(outcome.result->pieces[0].motion.times.empty());
+  const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kPrefer});
+  expect_sound(outcome);
+  EXPECT_TRUE(outcome.notices().contains("meets-itself"));
+  EXPECT_FALSE(outcome.notices().contains("no-motion"));
+  ASSERT_EQ(outcome.result->pieces.size(), 1u);
+  EXPECT_EQ(outcome.result->pieces[0].motion.kind, Folding::kNone);
+  EXPECT_TRUE(outcome.result->pieces[0].motion.times.empty());
+}
+
+TEST(Job, SplitsAModelThatMeetsItselfIfAMotionIsRequired) {
+  const Outcome outcome =
+      run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kRequire, .runs = 20});
+  expect_sound(outcome);
+  EXPECT_GT(outcome.result->pieces.size(), 1u);
+  for (const Piece& piece : outcome.result->pieces) {
+    EXPECT_EQ(piece.cause, Cause::kNoMotion);
+    EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
   }
 }
 
