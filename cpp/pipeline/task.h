@@ -30,7 +30,8 @@ struct LearnTask {
 /// One net search from one seed, on spanning trees or by evolution.
 struct SearchTask {
   TreeSearchOptions options;
-  FoldTree initial = {};  ///< to start from, of the graph of the task's panels; empty: from heuristics
+  FoldTree initial =
+      {};  ///< to start from, of the graph of the task's panels; empty: from heuristics
 };
 struct GeneticTask {
   GeneticOptions options;
