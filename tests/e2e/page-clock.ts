@@ -66,3 +66,20 @@ export function timeRun({ page }: StudioPage, name: string, content: string): Pr
     [name, content] as const,
   );
 }
+
+/** Plays the folding of a result to its end; the ms between frames of the page meanwhile. */
+export function timeFolding({ page }: StudioPage): Promise<number[]> {
+  return page.evaluate(() => {
+    const frames: number[] = [];
+    const words = document.querySelector('#folding-words')!;
+    document.querySelector<HTMLElement>('#folding-play')!.click();
+    return new Promise<number[]>((resolve) => {
+      const count = (now: number): void => {
+        frames.push(now);
+        if (words.textContent !== 'the model') requestAnimationFrame(count);
+        else resolve(frames.slice(1).map((frame, i) => frame - frames[i]!));
+      };
+      requestAnimationFrame(count);
+    });
+  });
+}

@@ -62,8 +62,10 @@ export class FoldingPanel {
     this.time = time;
     this.slider.value = String(time);
     const words = folded(time, this.letters);
-    this.words.textContent = words;
-    this.slider.setAttribute('aria-valuetext', words);
+    if (words !== this.words.textContent) {
+      this.words.textContent = words;
+      this.slider.setAttribute('aria-valuetext', words);
+    }
     this.onTime(time);
   }
 

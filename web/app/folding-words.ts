@@ -14,10 +14,15 @@ export function joiningLetters(pieces: readonly Piece[]): string[] {
   return joinOrder(pieces).map(({ piece }) => pieceLetter(pieces[piece]!.id));
 }
 
+// Finer steps would change the words in nearly every frame, which costs as much as the picture.
+const percentStep = 5;
+
 /** What there is to see at a time of the folding, from 0 to 1. */
 export function folded(time: number, letters: readonly string[]): string {
   if (time <= 0) return 'flat';
-  if (time < foldEnd) return `folded by ${Math.round((100 * time) / foldEnd)} %`;
+  if (time < foldEnd) {
+    return `folded by ${Math.ceil(((100 / percentStep) * time) / foldEnd) * percentStep} %`;
+  }
   if (time >= 1) return 'the model';
   const rank = letters.findIndex((_, i) => time < flightTimes(i, letters.length).end);
   return time > foldEnd && letters.length > 1 ? `joining piece ${letters[rank]}` : 'folded';
