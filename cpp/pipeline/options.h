@@ -26,9 +26,9 @@ struct JobOptions {
   /// How far apart faces stay while folding, in mean edge lengths: see `make_foldable`.
   double clearance = kClearance;
   int runs = 400;  ///< learning runs, 1 to 65535
-  /// Learn on a simplified proxy above this many faces; 0: never. Proxies of 500 faces
-  /// segment as well as any larger one, and learning grows with the square.
-  int proxy = 500;
+  /// Learn on a simplified proxy above this many faces; 0: never. Proxies of 500 to 1000 faces
+  /// segment as well as anything larger, and learning grows with the square.
+  int proxy = 1000;
   std::uint32_t seed = 1;
   int faces = 0;  ///< simplify to this many triangles first; 0: keep all
   SheetOptions sheet = {};

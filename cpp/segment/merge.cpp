@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "segment/concave_geodesic.h"
 
 namespace foldwright {
 namespace {
-
-// When so many regions for each part are left, those that would make poor pieces are absorbed: less
-// than this share of what a part has on average. Faces that unfold with hardly any other would else
-// be left over as parts of their own.
-constexpr int kFewRegions = 4;
-constexpr double kLeastShare = 0.1;
 
 /// Regions under merging: a dense matrix of summed affinities, shrinking by rows.
 class Regions {
@@ -25,7 +18,6 @@ class Regions {
         count_(size_),
         between_(std::move(affinity)),
         volume_(size_, 0),
-        area_(graph.areas),
         label_(size_),
         neighbours_(size_) {
     for (int i = 0; i < size_; ++i) {
@@ -54,34 +46,12 @@ class Regions {
     return least;
   }
 
-  /// Merges regions of less than `least` area, smallest first, with the neighbour that is cheapest
-  /// to merge with, down to `parts` regions.
-  void absorb_slivers(double least, int parts) {
-    while (count_ > parts) {
-      int smallest = -1;
-      for (int i = 0; i < size_; ++i) {
-        if (neighbours_[i].empty() || area_[i] >= least) continue;
-        if (smallest == -1 || area_[i] < area_[smallest]) smallest = i;
-      }
-      if (smallest == -1) return;
-      Pair best;
-      for (const int next : neighbours_[smallest]) {
-        const double c = cost(smallest, next);
-        if (best.low == -1 || c < best.cost) {
-          best = {std::min(smallest, next), std::max(smallest, next), c};
-        }
-      }
-      merge(best);
-    }
-  }
-
   void merge(const Pair& pair) {
     const int x = pair.low;
     const int y = pair.high;
     for (int j = 0; j < size_; ++j) at(x, j) += at(y, j);
     for (int j = 0; j < size_; ++j) at(j, x) += at(j, y);
     volume_[x] += volume_[y];
-    area_[x] += area_[y];
     for (int& label : label_) label = label == y ? x : label;
     for (const int next : neighbours_[y]) {
       neighbours_[next].erase(y);
@@ -127,7 +97,6 @@ class Regions {
   int size_, count_;
   std::vector<double> between_;
   std::vector<double> volume_;
-  std::vector<double> area_;
   std::vector<int> label_;
   std::vector<std::set<int>> neighbours_;
   std::vector<Pair> best_;
@@ -141,6 +110,9 @@ std::vector<double> affinities(const FoldabilityMatrix& matrix, std::span<const 
     for (int k = 0; k < power; ++k) value *= matrix.values[i];
     affinity[i] = value;
   }
+  // A face's affinity to itself would hold outliers, which unfold with hardly any other, apart.
+  const auto stride = static_cast<std::size_t>(matrix.size) + 1;
+  for (std::size_t i = 0; i < affinity.size(); i += stride) affinity[i] = 0;
   return affinity;
 }
 
@@ -153,16 +125,7 @@ Labels merge_clusters(const Mesh& mesh, const DualGraph& graph, const Foldabilit
   const int power = estimate ? options.estimate_power : options.power;
   const std::vector<float> geodesic = concave_geodesic(mesh, graph);
   Regions regions(graph, affinities(matrix, geodesic, power, options.falloff));
-  const int parts = std::max(options.parts, 1);
-  const int few = estimate ? options.most_estimated : kFewRegions * parts;
-  const double total = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
-  bool has_slivers = true;
-  while (regions.count() > parts) {
-    if (has_slivers && regions.count() <= few) {
-      regions.absorb_slivers(kLeastShare * total / (estimate ? few : parts), parts);
-      has_slivers = false;
-      continue;
-    }
+  while (regions.count() > std::max(options.parts, 1)) {
     const Regions::Pair pair = regions.cheapest();
     if (pair.low == -1) break;
     if (estimate && pair.cost > options.stop && regions.count() <= options.most_estimated) break;

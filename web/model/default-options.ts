@@ -10,7 +10,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   clearance: 0.01,
   runs: 400,
   // Proxies of 500 to 1000 faces segment as well as anything larger.
-  proxy: 500,
+  proxy: 1000,
   seed: 1,
   faces: 0,
   paperWidth: 210,
