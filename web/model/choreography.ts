@@ -73,7 +73,8 @@ export function choreograph(bodies: readonly Body[], model: Ball, table: Turn): 
       end: home,
       ball,
       model,
-      lift: turned(table, [0, 0, highest - room.low[2]]),
+      up: turned(table, [0, 0, 1]),
+      lift: highest - room.low[2],
       from,
     });
     const { start, end } = flightTimes(rank, bodies.length);

@@ -10,8 +10,10 @@ export interface Flight {
   ball: Ball;
   /** Around the model. */
   model: Ball;
-  /** Rises from the table by this, to be clear of its neighbours. */
-  lift: Vector;
+  /** The direction away from the table, of unit length, and how far it has to rise from there to be
+   * clear of its neighbours. */
+  up: Vector;
+  lift: number;
   /** The direction from which it comes straight into the model; of unit length. */
   from: Vector;
 }
@@ -47,23 +49,25 @@ function directionBetween(a: Vector, b: Vector, share: number): Vector {
  * The keys of a flight: up from the table, then around the model so far out that nothing of the
  * piece comes near it, and straight in from there. The piece is turned while it circles.
  */
-export function flightKeys({ start, end, ball, model, lift, from }: Flight): FlightKey[] {
+export function flightKeys({ start, end, ball, model, up, lift, from }: Flight): FlightKey[] {
   const outside = model.radius + ball.radius;
   const goal = minus(posed(end, ball.centre), model.centre);
   const along = dot(goal, from);
   const way = Math.sqrt(along ** 2 - dot(goal, goal) + outside ** 2) - along;
   const gate = plus(goal, times(from, way));
-  const lifted = minus(plus(posed(start, ball.centre), lift), model.centre);
+  const lifted = minus(plus(posed(start, ball.centre), times(up, lift)), model.centre);
   const keys: FlightKey[] = [{ share: 0, pose: start }];
   for (let stretch = 0; stretch <= stretches; ++stretch) {
     const share = stretch / stretches;
     const distance = (1 - share) * length(lifted) + share * length(gate);
     const arc = directionBetween(direction(lifted), direction(gate), share);
     const turn = turnBetween(start.turn, end.turn, share);
-    const place = plus(model.centre, times(arc, distance));
+    const place = times(arc, distance);
+    // On its way outwards over the table an arc may sink, but its neighbours still lie there.
+    const sunk = Math.min(0, dot(minus(place, lifted), up));
     keys.push({
       share: rise + share * (1 - rise - descent),
-      pose: poseAt(turn, ball.centre, place),
+      pose: poseAt(turn, ball.centre, plus(model.centre, minus(place, times(up, sunk)))),
     });
   }
   return [...keys, { share: 1, pose: end }];
