@@ -70,6 +70,8 @@ test('a worker that dies is replaced', () =>
     const { page } = studio;
     // The routes of a context also see what workers ask for.
     await page.context().route('**/*.wasm', (route) => route.abort());
+    // The first worker is started ahead of the first run.
+    await page.reload();
     await studio.chooseSample('Cube');
     expect(await studio.message()).toContain('stopped unexpectedly');
     await page.context().unroute('**/*.wasm');

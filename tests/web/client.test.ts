@@ -80,6 +80,14 @@ describe('runJob', () => {
     expect(spawned.count).toBe(2);
   });
 
+  it('starts no second worker where one is warm', async () => {
+    const { pool, spawned } = poolFor({ steps: [done] });
+    pool.warm();
+    pool.warm();
+    await run(pool);
+    expect(spawned.count).toBe(1);
+  });
+
   it('runs jobs in the order in which they were given', async () => {
     const { pool } = poolFor({ steps: [[progress(0.5)], done] });
     const order: number[] = [];

@@ -34,7 +34,7 @@ export class Studio {
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
   private choices = 0;
 
-  constructor(pool: Pool) {
+  constructor(private readonly pool: Pool) {
     this.runner = new JobRunner(pool);
     const downloads = new DownloadBar((format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
@@ -58,8 +58,11 @@ export class Studio {
     }
     new FilePicker((files) => void this.choose(readModelFile(files)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
-    // The page is complete now: while a model is being chosen there is time for the 3D view.
-    setTimeout(() => this.workshop.prepare(), preparation);
+    // The page is complete now: while a model is being chosen there is time for what a run needs.
+    setTimeout(() => {
+      this.pool.warm();
+      this.workshop.prepare();
+    }, preparation);
   }
 
   /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */

@@ -34,6 +34,11 @@ export class Pool {
     return [...this.ports.keys()];
   }
 
+  /** Starts the first worker ahead of the first job: it takes its time to load the engine. */
+  warm(): void {
+    if (this.ports.size === 0) this.start();
+  }
+
   /** Calls `work` when all earlier turns have ended, however they ended. */
   inTurn<Result>(work: () => Promise<Result>): Promise<Result> {
     const turn = this.lastTurn.then(async () => {
