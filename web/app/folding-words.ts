@@ -21,7 +21,8 @@ const percentStep = 5;
 export function folded(time: number, letters: readonly string[]): string {
   if (time <= 0) return 'flat';
   if (time < foldEnd) {
-    return `folded by ${Math.ceil(((100 / percentStep) * time) / foldEnd) * percentStep} %`;
+    const percent = Math.round((100 * time) / foldEnd / percentStep) * percentStep;
+    return `folded by ${Math.min(Math.max(percent, percentStep), 100 - percentStep)} %`;
   }
   if (time >= 1) return 'the model';
   const rank = letters.findIndex((_, i) => time < flightTimes(i, letters.length).end);

@@ -67,15 +67,17 @@ function layOnTable(bodies: readonly Body[], model: Ball, table: Turn): Pose[] {
 export function choreograph(bodies: readonly Body[], model: Ball, table: Turn): Track[] {
   const starts = layOnTable(bodies, model, table);
   const highest = highestOf(bodies);
+  const up = turned(table, [0, 0, 1]);
   return bodies.map(({ ball, from, home, rank, room }, piece) => {
     const keys = flightKeys({
       start: starts[piece]!,
       end: home,
       ball,
       model,
-      up: turned(table, [0, 0, 1]),
+      up,
       lift: highest - room.low[2],
-      from,
+      // Nothing is in the way of the first.
+      from: rank === 0 ? scaled(up, -1) : from,
     });
     const { start, end } = flightTimes(rank, bodies.length);
     return {

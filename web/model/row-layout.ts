@@ -10,66 +10,81 @@ export interface Spot {
   y: number;
 }
 
-/** Boxes beside each other. */
-interface Row extends Box {
-  boxes: number[];
+/** Rectangles that lie somewhere, by their numbers, and how much room they take from (0, 0) up. */
+interface Layout extends Box {
+  spots: Map<number, Spot>;
 }
 
 /** Row widths that are tried, evenly from that of the widest box to that of all in one row. */
 const attempts = 32;
 
-/** Fills rows up to a width with boxes, tall ones first. */
-function fillRows(boxes: readonly Box[], rowWidth: number, gap: number): Row[] {
-  const byHeight = [...boxes.keys()].sort((a, b) => boxes[b]!.height - boxes[a]!.height || a - b);
-  const rows: Row[] = [];
-  for (const index of byHeight) {
-    const { width, height } = boxes[index]!;
+/** Lays boxes in this order in rows from the top down, the boxes of a row in its middle. */
+function inRows(
+  boxes: readonly Box[],
+  order: readonly number[],
+  rowWidth: number,
+  gap: number,
+): Layout {
+  const rows: { numbers: number[]; width: number; height: number }[] = [];
+  for (const number of order) {
+    const { width, height } = boxes[number]!;
     const row = rows.at(-1);
     if (row && row.width + gap + width <= rowWidth) {
-      row.boxes.push(index);
+      row.numbers.push(number);
       row.width += gap + width;
+      row.height = Math.max(row.height, height);
     } else {
-      rows.push({ boxes: [index], width, height });
+      rows.push({ numbers: [number], width, height });
     }
   }
-  return rows;
+  const width = Math.max(...rows.map((row) => row.width));
+  const height = rows.reduce((sum, row) => sum + row.height + gap, -gap);
+  const spots = new Map<number, Spot>();
+  let top = height;
+  for (const row of rows) {
+    let x = (width - row.width) / 2;
+    for (const number of row.numbers) {
+      spots.set(number, { x, y: top - boxes[number]!.height });
+      x += boxes[number]!.width + gap;
+    }
+    top -= row.height + gap;
+  }
+  return { spots, width, height };
 }
 
-function sizeOf(rows: readonly Row[], gap: number): Box {
-  return {
-    width: Math.max(...rows.map(({ width }) => width)),
-    height: rows.reduce((sum, { height }) => sum + height + gap, -gap),
-  };
+/** Lays a box to the left of a layout, both in the middle of the height. */
+function leftOf(number: number, box: Box, layout: Layout, gap: number): Layout {
+  const height = Math.max(box.height, layout.height);
+  const spots = new Map([[number, { x: 0, y: (height - box.height) / 2 }]]);
+  for (const [other, { x, y }] of layout.spots) {
+    spots.set(other, { x: x + box.width + gap, y: y + (height - layout.height) / 2 });
+  }
+  return { spots, width: box.width + gap + layout.width, height };
 }
 
 /**
- * Lays rectangles in rows, tall ones first, so that none overlap and all together fill a view that
- * is `aspect` times as wide as high; the middle of all is at (0, 0).
+ * Lays rectangles in rows, tall ones first and the tallest perhaps beside all others, so that none
+ * overlap and all together fill a view that is `aspect` times as wide as high; the middle of all is
+ * at (0, 0).
  *
  * @param gap between neighbours
  */
 export function layInRows(boxes: readonly Box[], aspect: number, gap: number): Spot[] {
+  const byHeight = [...boxes.keys()].sort((a, b) => boxes[b]!.height - boxes[a]!.height || a - b);
+  const [tallest, ...others] = byHeight;
   const widest = Math.max(...boxes.map(({ width }) => width));
-  const all = boxes.reduce((sum, { width }) => sum + width + gap, -gap);
-  let [best, least] = [[] as Row[], Infinity];
+  const all = boxes.reduce((sum, { width }) => sum + width + gap, 0);
+  const layouts: Layout[] = [];
   for (let attempt = 0; attempt <= attempts; ++attempt) {
-    // A little more than the sum, which rounding may have made too short.
-    const width = widest + ((all * 1.001 - widest) * attempt) / attempts;
-    const rows = fillRows(boxes, width, gap);
-    const size = sizeOf(rows, gap);
-    const needed = Math.max(size.width / aspect, size.height);
-    if (needed < least) [best, least] = [rows, needed];
+    const rowWidth = widest + ((all - widest) * attempt) / attempts;
+    layouts.push(inRows(boxes, byHeight, rowWidth, gap));
+    if (others.length === 0) continue;
+    layouts.push(leftOf(tallest!, boxes[tallest!]!, inRows(boxes, others, rowWidth, gap), gap));
   }
-  const spots: Spot[] = [];
-  // The first row on top, as one reads.
-  let top = sizeOf(best, gap).height / 2;
-  for (const row of best) {
-    let left = -row.width / 2;
-    for (const index of row.boxes) {
-      spots[index] = { x: left, y: top - boxes[index]!.height };
-      left += boxes[index]!.width + gap;
-    }
-    top -= row.height + gap;
-  }
-  return spots;
+  const room = ({ width, height }: Layout): number => Math.max(width / aspect, height);
+  const best = layouts.reduce((a, b) => (room(b) < room(a) ? b : a));
+  return boxes.map((_, number) => {
+    const { x, y } = best.spots.get(number)!;
+    return { x: x - best.width / 2, y: y - best.height / 2 };
+  });
 }
