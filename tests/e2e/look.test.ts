@@ -55,6 +55,11 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await studio.drawn('#model-picture');
     await studio.picture(`${name}-4-after`);
     expect(await barriers(page)).toEqual([]);
+
+    await page.getByText('How to fold and glue it').click();
+    await page.locator('.step').nth(1).click();
+    await studio.picture(`${name}-5-steps`);
+    expect(await barriers(page)).toEqual([]);
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
     );

@@ -16,7 +16,9 @@ export class FoldingPanel {
   private readonly button = find('#folding-play', HTMLButtonElement);
   private readonly words = find('#folding-words', HTMLOutputElement);
   private readonly note = find('#folding-note', HTMLElement);
-  private letters: string[] = [];
+  private pieces: readonly Piece[] = [];
+  /** Of the pieces in the order of their joining; null until the model is first unfolded. */
+  private letters: string[] | null = null;
   private tempo: Tempo = tempoFor(1);
   private playing = false;
   private lastFrame = 0;
@@ -31,7 +33,8 @@ export class FoldingPanel {
 
   /** Offers to unfold the model that is shown into these pieces. */
   offer(pieces: readonly Piece[]): void {
-    this.letters = joiningLetters(pieces);
+    this.pieces = pieces;
+    this.letters = null;
     this.tempo = tempoFor(pieces.length);
     this.note.textContent = doubts(pieces);
     this.note.hidden = this.note.textContent === '';
@@ -61,7 +64,9 @@ export class FoldingPanel {
   private go(time: number): void {
     this.time = time;
     this.slider.value = String(time);
-    const words = folded(time, this.letters);
+    // Not with the result, which has enough to do for one frame.
+    if (time < 1) this.letters ??= joiningLetters(this.pieces);
+    const words = folded(time, this.letters ?? []);
     if (words !== this.words.textContent) {
       this.words.textContent = words;
       this.slider.setAttribute('aria-valuetext', words);
