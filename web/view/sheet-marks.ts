@@ -12,6 +12,10 @@ export interface SheetMark {
   label?: string;
 }
 
+/** Size of a label in mm, and as a share of its line, so that those of short edges keep apart. */
+const [smallest, largest] = [1.5, 4];
+const labelShare = 0.6;
+
 function shape(name: string, attributes: Record<string, string | number>): SVGElement {
   const element = document.createElementNS(svgNamespace, name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
@@ -23,7 +27,8 @@ function drawMark({ kind, from, to, label }: SheetMark, height: number): SVGElem
   const line = shape('line', { x1, y1, x2, y2, class: `mark mark--${kind}` });
   if (label === undefined) return [line];
   const [x, y] = [(x1 + x2) / 2, (y1 + y2) / 2];
-  const text = shape('text', { x, y, class: 'mark__label' });
+  const size = Math.min(largest, Math.max(smallest, labelShare * Math.hypot(x2 - x1, y2 - y1)));
+  const text = shape('text', { x, y, class: 'mark__label', 'font-size': size });
   text.textContent = label;
   return [line, text];
 }
