@@ -124,6 +124,8 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       const options: JobOptions = { ...defaultOptions, parts: 8, solver: 'genetic' };
       const run = runJob(pool, ring(14), 'model.obj', options, {
         signal: control.signal,
+        // However busy the machine is: the nets are what is looked at here.
+        patience: 60_000,
         onEvent(event) {
           if (event.type === 'net') control.abort();
           if (event.type === 'cancelled') best = event.best;

@@ -14,6 +14,8 @@ export interface RunOptions {
   onEvent?: (event: TimedEvent) => void;
   /** Whether `generation` events show the net under search now and then. */
   pictures?: boolean;
+  /** How long an aborted run waits for the nets found so far, in ms; 100 unless given. */
+  patience?: number;
 }
 
 /** A result together with how long each stage took. */
@@ -31,7 +33,7 @@ interface Order {
 let lastJob = 0;
 
 function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedResult> {
-  const { signal, onEvent, pictures = false } = runOptions;
+  const { signal, onEvent, pictures = false, patience } = runOptions;
   return new Promise((resolve, reject) => {
     const settle = (last: () => void): void => {
       run.end(() => {
@@ -56,6 +58,7 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
           fail(new JobError(engineDied, `The engine stopped unexpectedly: ${reason}`));
         },
       },
+      patience,
     );
     signal?.addEventListener('abort', cancel);
   });
@@ -67,7 +70,7 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
  * number of workers, nor on whether some died.
  *
  * Rejects with a `JobError` when the job or its conducting worker fails, or a task that several
- * workers died over, and with the signal's reason within 100 ms of an abort. None of that leaves
+ * workers died over, and with the signal's reason within `patience` of an abort. None of that leaves
  * the pool unusable.
  */
 export function runJob(

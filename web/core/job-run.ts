@@ -9,8 +9,8 @@ export interface RunListener {
   onDeath(reason: string): void;
 }
 
-/** A worker that has not answered by then is in a long step, and replaced. In ms. */
-const patience = 100;
+/** How long workers may take to answer when a run ends, unless said otherwise. In ms. */
+export const defaultPatience = 100;
 
 /**
  * One job on its way through the workers of a pool, as the main thread sees it: passes messages on
@@ -25,11 +25,15 @@ export class JobRun implements PoolListener {
   private settle: (() => void) | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** Starts the job; needs its turn in the pool. */
+  /**
+   * Starts the job; needs its turn in the pool. At its end, workers that have not answered for
+   * `patience` ms are in a long step, and replaced.
+   */
   constructor(
     private readonly pool: Pool,
     request: Omit<RunRequest, 'type' | 'helpers'>,
     private readonly listener: RunListener,
+    private readonly patience = defaultPatience,
   ) {
     this.job = request.job;
     pool.listen(this);
@@ -52,7 +56,7 @@ export class JobRun implements PoolListener {
       for (const worker of this.engaged) this.pool.discard(worker);
       this.engaged.clear();
       this.settleIfFree();
-    }, patience);
+    }, this.patience);
     this.settleIfFree();
   }
 
