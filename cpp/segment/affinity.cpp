@@ -3,8 +3,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "segment/concave_geodesic.h"
-
 namespace foldwright {
 namespace {
 
@@ -24,11 +22,10 @@ Affinity foldability_affinity(const FoldabilityMatrix& matrix, int power) {
   return affinity;
 }
 
-Affinity shape_affinity(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+Affinity shape_affinity(const FoldabilityMatrix& matrix, std::span<const float> geodesic,
                         const ShapeCue& cue) {
-  assert(matrix.size == graph.panel_count());
+  assert(geodesic.size() == matrix.values.size());
   Affinity affinity = foldability_affinity(matrix, cue.power);
-  const std::vector<float> geodesic = concave_geodesic(mesh, graph);
   for (int i = 0; i < matrix.size; ++i) {
     for (int j = 0; j < matrix.size; ++j) {
       const float distance = geodesic[static_cast<std::size_t>(i) * matrix.size + j];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "segment/foldability.h"
 
@@ -22,8 +23,8 @@ struct ShapeCue {
 
 /// M^power exp(-G / falloff): foldability, weakened across concave creases. The defaults are at the
 /// middle of a plateau: powers of 4 to 6 and falloffs of 0.4 to 0.65 differ by less than 0.1 % of
-/// Rand Index. `matrix`: one row per panel of the graph. Cost: see `concave_geodesic`.
-Affinity shape_affinity(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+/// Rand Index. `geodesic`: G as `concave_geodesic` gives it, row-major, of the matrix's panels.
+Affinity shape_affinity(const FoldabilityMatrix& matrix, std::span<const float> geodesic,
                         const ShapeCue& cue = {});
 
 }  // namespace foldwright

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "segment/concave_geodesic.h"
 #include "segment/connect_parts.h"
 #include "segment/hinge_measures.h"
 #include "segment/smooth_borders.h"
@@ -14,8 +15,12 @@
 namespace foldwright {
 namespace {
 
-// The largest eigengap tells the number of parts best when distances count for more.
-constexpr ShapeCue kCueForCounting = {.power = 4, .falloff = 0.3};
+// The number of parts shows best when distances count for more.
+constexpr ShapeCue kCuesForCounting[] = {{.power = 3, .falloff = 0.3},
+                                         {.power = 4, .falloff = 0.3},
+                                         {.power = 5, .falloff = 0.3},
+                                         {.power = 3, .falloff = 0.25},
+                                         {.power = 4, .falloff = 0.25}};
 
 // Borders may move so far, in sides of a square as large as a panel that was learned on: finer than
 // that learning cannot place them.
@@ -56,6 +61,15 @@ std::vector<int> each_row(int count) {
   return rows;
 }
 
+std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
+                                              std::span<const float> geodesic) {
+  std::vector<Affinity> affinities;
+  for (const ShapeCue& cue : kCuesForCounting) {
+    affinities.push_back(shape_affinity(matrix, geodesic, cue));
+  }
+  return affinities;
+}
+
 /// Halves of a connected graph: what is nearer to one of two panels far apart than to the other.
 /// Both are connected, because they hold the shortest ways to their panel.
 Labels halves_by_distance(const Mesh& mesh, const DualGraph& graph) {
@@ -79,12 +93,17 @@ Labels halves_by_distance(const Mesh& mesh, const DualGraph& graph) {
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
                const SegmentOptions& options) {
   assert(options.parts <= graph.panel_count());
-  const bool by_shape = options.segmenter == Segmenter::kShape;
-  const auto affinity = [&](const ShapeCue& cue) {
-    return by_shape ? shape_affinity(mesh, graph, matrix, cue) : foldability_affinity(matrix);
-  };
-  const int parts = options.parts > 0 ? options.parts : estimate_parts(affinity(kCueForCounting));
-  const Labels labels = spectral_clusters(affinity({}), {.parts = parts, .seed = options.seed});
+  Affinity affinity;
+  int parts = options.parts;
+  if (options.segmenter == Segmenter::kShape) {
+    const std::vector<float> geodesic = concave_geodesic(mesh, graph);
+    affinity = shape_affinity(matrix, geodesic);
+    if (parts == 0) parts = estimate_parts(affinities_for_counting(matrix, geodesic));
+  } else {
+    affinity = foldability_affinity(matrix);
+    if (parts == 0) parts = estimate_parts(std::span(&affinity, 1));
+  }
+  const Labels labels = spectral_clusters(affinity, {.parts = parts, .seed = options.seed});
   return connect_parts(graph, {matrix, each_row(graph.panel_count())}, labels);
 }
 

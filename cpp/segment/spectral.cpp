@@ -20,6 +20,9 @@ constexpr double kOrthogonal = 1e-6;
 // An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
 constexpr int kMostEstimatedParts = 20;
 
+// Exponent of the factor in the estimate.
+constexpr double kPreferMore = 0.2;
+
 /// D^-1/2 A D^-1/2.
 Eigen::MatrixXd normalized(const Affinity& affinity) {
   // The diagonal is one, so no row sum is zero.
@@ -95,14 +98,19 @@ Labels spectral_clusters(const Affinity& affinity, const SpectralOptions& option
       k_means(embedding, options.parts, {.restarts = options.restarts, .seed = options.seed}));
 }
 
-int estimate_parts(const Affinity& affinity) {
-  const int n = static_cast<int>(affinity.rows());
+int estimate_parts(std::span<const Affinity> affinities) {
+  const int n = static_cast<int>(affinities.front().rows());
   const int most = std::min(kMostEstimatedParts, n - 1);
   if (most < 1) return 1;
-  const Eigen::VectorXd values = leading_eigenpairs(normalized(affinity), most + 1).values;
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(most + 1);
+  for (const Affinity& affinity : affinities) {
+    values += leading_eigenpairs(normalized(affinity), most + 1).values;
+  }
   int best = 1;
-  for (int k = 2; k <= most; ++k) {
-    if (values[k - 1] - values[k] > values[best - 1] - values[best]) best = k;
+  double largest = 0;
+  for (int k = 1; k <= most; ++k) {
+    const double drop = (values[k - 1] - values[k]) * std::pow(k, kPreferMore);
+    if (drop > largest) best = k, largest = drop;
   }
   return best;
 }

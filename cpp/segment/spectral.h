@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "segment/affinity.h"
 #include "segment/labels.h"
@@ -22,7 +23,10 @@ struct SpectralOptions {
 Labels spectral_clusters(const Affinity& affinity, const SpectralOptions& options = {});
 
 /// The number of clusters k, 1 to 20, with the largest drop from the k-th eigenvalue of
-/// D^-1/2 A D^-1/2 to the next.
-int estimate_parts(const Affinity& affinity);
+/// D^-1/2 A D^-1/2 to the next, on average over some affinities of the same panels, times k^0.2.
+///
+/// Several affinities, because one spectrum often has two drops that are nearly equal. The factor,
+/// because a part too many harms less than one too few. \pre there is an affinity
+int estimate_parts(std::span<const Affinity> affinities);
 
 }  // namespace foldwright

@@ -54,7 +54,7 @@ TEST(SpectralClusters, TellUnlinkedBlobsApart) {
 
 TEST(SpectralClusters, EstimateTheNumber) {
   for (const auto& sizes : std::vector<std::vector<int>>{{20, 30}, {10, 20, 30}, {40, 40, 9, 25}}) {
-    EXPECT_EQ(estimate_parts(blocks(sizes, 0.5f)), static_cast<int>(sizes.size()));
+    EXPECT_EQ(estimate_parts(std::vector{blocks(sizes, 0.5f)}), static_cast<int>(sizes.size()));
   }
 }
 
@@ -63,7 +63,7 @@ TEST(SpectralClusters, CopeWithFacesThatAllUnfoldTogether) {
     SCOPED_TRACE(size);
     const Affinity ones = Affinity::Ones(size, size);
     EXPECT_LE(part_count(spectral_clusters(ones, {.parts = 2})), 2);
-    EXPECT_EQ(estimate_parts(ones), 1);
+    EXPECT_EQ(estimate_parts(std::vector{ones}), 1);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(SpectralClusters, OfOneAndOfAll) {
   EXPECT_EQ(spectral_clusters(matrix, {.parts = 12}), each);
   EXPECT_EQ(part_count(spectral_clusters(matrix, {.parts = 11})), 11);
   EXPECT_EQ(spectral_clusters(Affinity::Ones(1, 1)), Labels{0});
-  EXPECT_EQ(estimate_parts(Affinity::Ones(1, 1)), 1);
+  EXPECT_EQ(estimate_parts(std::vector<Affinity>{Affinity::Ones(1, 1)}), 1);
 }
 
 TEST(SpectralClusters, DependOnTheSeedAlone) {
