@@ -29,8 +29,20 @@ constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver
 constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
                                                {"prefer", FoldingMode::kPrefer},
                                                {"require", FoldingMode::kRequire}};
-constexpr Name<Cause> kCauses[] = {
-    {"part", Cause::kPart}, {"no-net", Cause::kNoNet}, {"no-motion", Cause::kNoMotion}};
+constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
+                                   {"no-net", Cause::kNoNet},
+                                   {"no-motion", Cause::kNoMotion},
+                                   {"sheet", Cause::kSheet}};
+constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
+                                     {"height", Sizing::kHeight},
+                                     {"width", Sizing::kWidth},
+                                     {"scale", Sizing::kScale},
+                                     {"sheets", Sizing::kSheets}};
+constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
+                                 {"mm", Unit::kMillimetre},
+                                 {"cm", Unit::kCentimetre},
+                                 {"m", Unit::kMetre},
+                                 {"in", Unit::kInch}};
 constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
                                        {"no", Folding::kNone},
                                        {"line", Folding::kLine},
@@ -322,6 +334,9 @@ JobOptions options_from(const val& object) {
   options.proxy = object["proxy"].as<int>();
   options.seed = object["seed"].as<std::uint32_t>();
   options.faces = object["faces"].as<int>();
+  options.size.by = from_name<Sizing>(kSizings, object["sizing"]);
+  options.size.value = object["size"].as<double>();
+  options.size.unit = from_name<Unit>(kUnits, object["unit"]);
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, object["orientation"]);

@@ -18,8 +18,8 @@ struct Notice {
 };
 
 /// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that
-/// folds.
-enum class Cause { kPart, kNoNet, kNoMotion };
+/// folds, or none that fits the sheet.
+enum class Cause { kPart, kNoNet, kNoMotion, kSheet };
 
 /// The motion that folds a net up.
 struct PieceMotion {

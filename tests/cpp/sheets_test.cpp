@@ -7,6 +7,7 @@
 #include "mesh/input_error.h"
 #include "meshes.h"
 #include "trees.h"
+#include "unfold/net.h"
 
 namespace foldwright::testing {
 namespace {
@@ -72,6 +73,33 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
   EXPECT_EQ(std::ranges::count(used, 0), 0) << "an empty sheet";
 }
 
+Footprint footprint_of(const Net& net) {
+  Footprint print;
+  for (const auto& [a, b, c] : net.corners) {
+    print.polygons.push_back({net.vertices[a], net.vertices[b], net.vertices[c]});
+  }
+  print.face_area = net_area(net);
+  return print;
+}
+
+/// Scales nets so that the largest just fits, lays them out, and moves them as the layout says.
+SheetLayout fit_on_sheets(std::vector<Net>& nets, const SheetOptions& options = {}) {
+  std::vector<Footprint> prints;
+  for (const Net& net : nets) prints.push_back(footprint_of(net));
+  const double scale = fitting_scale(prints, options);
+  prints.clear();
+  for (Net& net : nets) {
+    for (Vec2& p : net.vertices) p *= scale;
+    prints.push_back(footprint_of(net));
+  }
+  SheetLayout layout = lay_on_sheets(prints, options);
+  layout.scale = scale;
+  for (std::size_t i = 0; i < nets.size(); ++i) {
+    for (Vec2& p : nets[i].vertices) p = layout.turns[i](p);
+  }
+  return layout;
+}
+
 std::vector<Net> random_nets(Random& random, int count) {
   std::vector<Net> nets;
   for (int i = 0; i < count; ++i) {
@@ -94,7 +122,7 @@ TEST(LayOnSheets, KeepsNetsWithinTheMarginsAndApart) {
     options.margin = 20 * random.uniform();
     options.gap = 10 * random.uniform();
     options.orientation = static_cast<Orientation>(random.below(3));
-    const SheetLayout layout = lay_on_sheets(nets, options);
+    const SheetLayout layout = fit_on_sheets(nets, options);
     expect_within_margins_and_apart(nets, layout, options);
     double area = 0;
     for (std::size_t i = 0; i < nets.size(); ++i) {
@@ -109,7 +137,7 @@ TEST(LayOnSheets, KeepsNetsWithinTheMarginsAndApart) {
 
 TEST(LayOnSheets, MakesTheLargestNetJustFit) {
   std::vector<Net> nets = {rectangle(1, 2), rectangle(0.5, 0.5)};
-  const SheetLayout layout = lay_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
+  const SheetLayout layout = fit_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
   EXPECT_NEAR(layout.scale, 100, 1e-6);
   const Box2 box = placed(nets[0], layout.placements[0]);
   EXPECT_NEAR(box.min[0], 10, 1e-6);
@@ -122,18 +150,18 @@ TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {
   const auto make_nets = [] { return std::vector<Net>{rectangle(1, 1.4), rectangle(1, 1.4)}; };
   // Two pieces of nearly the sheet's shape: on portrait each fills one sheet, and so on landscape.
   std::vector<Net> nets = make_nets();
-  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kPortrait}).sheet_width, 210);
+  EXPECT_EQ(fit_on_sheets(nets, {.orientation = Orientation::kPortrait}).sheet_width, 210);
   nets = make_nets();
-  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kLandscape}).sheet_width, 297);
+  EXPECT_EQ(fit_on_sheets(nets, {.orientation = Orientation::kLandscape}).sheet_width, 297);
   nets = make_nets();
-  const SheetLayout chosen = lay_on_sheets(nets);
+  const SheetLayout chosen = fit_on_sheets(nets);
   EXPECT_EQ(chosen.sheet_width, 210) << "portrait among equals";
   // A long and a short piece that go below each other on a wide sheet only.
   std::vector<Net> long_and_short = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
-  const SheetLayout wide = lay_on_sheets(long_and_short, {.margin = 5});
+  const SheetLayout wide = fit_on_sheets(long_and_short, {.margin = 5});
   std::vector<Net> again = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
   const SheetLayout tall =
-      lay_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
+      fit_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
   EXPECT_LE(wide.sheet_count, tall.sheet_count);
 }
 
@@ -141,13 +169,13 @@ TEST(LayOnSheets, PutsSmallPiecesOnOneSheet) {
   std::vector<Net> nets = {rectangle(1, 1.5)};
   for (int i = 0; i < 4; ++i) nets.push_back(rectangle(0.01, 0.01));
   nets[0] = rectangle(1, 0.5);
-  EXPECT_EQ(lay_on_sheets(nets).sheet_count, 1);
+  EXPECT_EQ(fit_on_sheets(nets).sheet_count, 1);
 }
 
 TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {
   std::vector<Net> nets = {rectangle(1, 1)};
   try {
-    lay_on_sheets(nets, {.width = 100, .height = 200, .margin = 50});
+    fit_on_sheets(nets, {.width = 100, .height = 200, .margin = 50});
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_EQ(error.code(), "bad-margin");

@@ -66,6 +66,26 @@ export const rows = {
     decimal(0.0001, 0.2),
     'how far apart faces stay while folding, in mean edge lengths',
   ),
+  height: row(
+    'MM|none',
+    'none',
+    wordOr('none', decimal(1, 100_000)),
+    'finished height (along y); pieces too large for the sheet are cut again',
+  ),
+  width: row('MM|none', 'none', wordOr('none', decimal(1, 100_000)), 'finished width (along x)'),
+  scale: row(
+    'F|none',
+    'none',
+    wordOr('none', decimal(0.000001, 1_000_000)),
+    'finished size as a factor on the size in the model’s unit',
+  ),
+  sheets: row('N|none', 'none', wordOr('none', whole(1, 1000)), 'as large as goes on N sheets'),
+  unit: row(
+    'NAME|guess',
+    'guess',
+    choice(['guess', 'mm', 'cm', 'm', 'in']),
+    'unit of the model: mm, cm, m or in',
+  ),
   paper: row('SIZE', 'A4', paper, 'A2 to A5, Letter, Legal, Tabloid, 12x12in, or WxH in mm'),
   orientation: row(
     'NAME',
@@ -96,11 +116,6 @@ export interface LaterRow {
 }
 
 export const laterRows: Record<string, LaterRow> = {
-  height: { value: 'MM' },
-  width: { value: 'MM' },
-  scale: { value: 'F' },
-  sheets: { value: 'N' },
-  unit: { value: 'NAME' },
   flaps: { value: 'MM|none', same: 'none' },
   'flap-angle': { value: 'DEG' },
   'flap-side': { value: 'NAME' },
@@ -119,6 +134,17 @@ export function echo(settings: Settings): Record<string, unknown> {
   return { ...settings, paper: settings.paper.name };
 }
 
+/** The options of which at most one may be given. */
+export const sizings = ['height', 'width', 'scale', 'sheets'] as const;
+
+function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
+  for (const sizing of sizings) {
+    const size = settings[sizing];
+    if (size !== 'none') return { sizing, size };
+  }
+  return { sizing: 'fit', size: 0 };
+}
+
 /** What the engine is asked for. */
 export function jobOptions(settings: Settings): JobOptions {
   const { parts, faces, heuristic, segment, solver, folding, clearance, runs, proxy, seed } =
@@ -134,6 +160,8 @@ export function jobOptions(settings: Settings): JobOptions {
     proxy,
     seed,
     faces: faces === 'off' ? 0 : faces,
+    ...sizeOptions(settings),
+    unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,
     orientation: settings.orientation,

@@ -8,6 +8,9 @@ export type Segmenter = 'merge' | 'spectral';
 export type Solver = 'tree' | 'genetic';
 export type FoldingMode = 'require' | 'prefer' | 'off';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
+/** What decides the finished size; 'fit': the largest piece just fits the sheet. */
+export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
+export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
 
 export interface JobOptions {
   /** Number of parts; 0 estimates it. */
@@ -27,6 +30,11 @@ export interface JobOptions {
   seed: number;
   /** Simplify to this many triangles first; 0: keep all. */
   faces: number;
+  sizing: Sizing;
+  /** Height (along y) or width (along x) in mm, a factor, or a number of sheets; not read by 'fit'. */
+  size: number;
+  /** Unit of the model, for the factor. */
+  unit: Unit;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -71,8 +79,11 @@ export interface Motion {
 export interface Piece {
   id: number;
   part: number;
-  /** Why the piece exists: it is a whole part, or a share of a part without a net, or a motion. */
-  cause: 'part' | 'no-net' | 'no-motion';
+  /**
+   * Why the piece exists: it is a whole part, or a share of a part without a net, or a motion, or
+   * of one too large for the sheet.
+   */
+  cause: 'part' | 'no-net' | 'no-motion' | 'sheet';
   /** Overlapping face pairs found by the independent check; 0 in every finished net. */
   overlaps: number;
   width: number;

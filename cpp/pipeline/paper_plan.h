@@ -1,0 +1,22 @@
+#pragma once
+
+#include "pipeline/state.h"
+
+namespace foldwright {
+
+/// Nets of their finished size on sheets.
+struct PaperPlan {
+  std::vector<FoundNet> nets;  ///< those of the state, some of them cut again
+  std::vector<Net> flat;       ///< per net: in millimetres, turned, its box from (0, 0)
+  SheetLayout sheets;
+};
+
+/// Scales the nets of a state as its options ask, cuts those again that are too large for the
+/// sheet, and lays them out.
+///
+/// Without a wish for a size the largest net just fits and nothing is cut. With a number of sheets
+/// the scale is found by bisection, the largest that was tried and fits.
+/// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
+PaperPlan plan_paper(const JobState& state);
+
+}  // namespace foldwright
