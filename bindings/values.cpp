@@ -2,6 +2,7 @@
 
 #include <emscripten/bind.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -38,6 +39,10 @@ constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
                                      {"width", Sizing::kWidth},
                                      {"scale", Sizing::kScale},
                                      {"sheets", Sizing::kSheets}};
+constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
+                                         {"one", FlapSide::kOne},
+                                         {"alternate", FlapSide::kAlternate},
+                                         {"both", FlapSide::kBoth}};
 constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
                                  {"mm", Unit::kMillimetre},
                                  {"cm", Unit::kCentimetre},
@@ -154,6 +159,41 @@ val motion_value(const Piece& piece) {
   return object;
 }
 
+val flaps_value(const std::vector<Flap>& flaps) {
+  std::vector<int> edges;
+  std::vector<double> corners, angles;
+  for (const Flap& flap : flaps) {
+    edges.push_back(flap.edge);
+    for (const Vec2& p : flap.corners) corners.insert(corners.end(), {p.x(), p.y()});
+    angles.push_back(flap.angle * 180 / std::numbers::pi);
+  }
+  val object = val::object();
+  object.set("edges", ints(edges));
+  object.set("corners", doubles(corners));
+  object.set("angles", doubles(angles));
+  return object;
+}
+
+/// How many flaps there are, and why others are missing.
+val flap_counts_value(const JobResult& result) {
+  int misses[4] = {0, 0, 0, 0};
+  for (const MissedFlap& miss : result.missed_flaps) ++misses[static_cast<int>(miss.why)];
+  val missing = val::object();
+  missing.set("narrow", misses[static_cast<int>(FlapMiss::kNarrow)]);
+  missing.set("thin", misses[static_cast<int>(FlapMiss::kThin)]);
+  missing.set("blocked", misses[static_cast<int>(FlapMiss::kBlocked)]);
+  missing.set("short", misses[static_cast<int>(FlapMiss::kShort)]);
+  const FlapCounts& counts = result.flap_counts;
+  val object = val::object();
+  object.set("wanted", counts.wanted);
+  object.set("full", counts.full);
+  object.set("shrunk", counts.shrunk);
+  object.set("missing", missing);
+  object.set("wanted_mm", counts.wanted_length);
+  object.set("missing_mm", counts.missing_length);
+  return object;
+}
+
 val piece_value(const Piece& piece, int id, const Placement& place) {
   const Net& net = piece.net;
   std::vector<double> vertices;
@@ -164,6 +204,9 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
     size = size.cwiseMax(p);
   }
   val object = val::object();
+  for (const Flap& flap : piece.flaps) {
+    for (const Vec2& p : flap.corners) size = size.cwiseMax(p);
+  }
   object.set("id", id);
   object.set("part", piece.part);
   object.set("cause", name_of<Cause>(kCauses, piece.cause));
@@ -177,6 +220,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("foldable", name_of<Folding>(kFoldings, piece.motion.kind));
   if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
+  object.set("flaps", flaps_value(piece.flaps));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
   object.set("y", place.y);
@@ -217,6 +261,7 @@ val result_value(const JobResult& result) {
   object.set("sheets", sheets_value(result.sheets));
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);
+  object.set("flaps", flap_counts_value(result));
   object.set("search", search);
   object.set("notices", list(result.notices, notice_value));
   object.set("hash", result.hash);
@@ -337,6 +382,11 @@ JobOptions options_from(const val& object) {
   options.size.by = from_name<Sizing>(kSizings, object["sizing"]);
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, object["unit"]);
+  options.flaps.side = from_name<FlapSide>(kFlapSides, object["flapSide"]);
+  FlapShape& flap = options.flaps.shape;
+  flap.height = object["flapHeight"].as<double>();
+  flap.least = std::min(flap.least, flap.height);
+  flap.angle = object["flapAngle"].as<double>() * std::numbers::pi / 180;
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, object["orientation"]);

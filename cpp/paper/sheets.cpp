@@ -26,15 +26,6 @@ Turn choose_turn(std::span<const Turn> turns, const Extent& room) {
   return *best;
 }
 
-/// Turns a piece and moves its box to (0, 0).
-RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn) {
-  RigidMotion2 motion{turn.c, turn.s, Vec2::Zero()};
-  Vec2 low(1e300, 1e300);
-  for (const Vec2& p : hull) low = low.cwiseMin(motion(p));
-  motion.t = -low;
-  return motion;
-}
-
 SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
                         const SheetOptions& options) {
   const Extent room = {sheet.width - 2 * options.margin, sheet.height - 2 * options.margin};

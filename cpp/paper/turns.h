@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/vec.h"
+#include "geometry/rigid_motion.h"
 
 namespace foldwright {
 
@@ -25,6 +25,9 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 /// smallest enclosing box has a side on the hull, and steps of 3 degrees, since a long thin piece
 /// fits a sheet best along its diagonal. \pre hull has three points or more
 std::vector<Turn> upright_turns(std::span<const Vec2> hull);
+
+/// Turns a piece with this hull, and moves its box to (0, 0).
+RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn);
 
 /// Whether the turned piece fits, up to rounding.
 bool fits(const Turn& turn, const Extent& room);

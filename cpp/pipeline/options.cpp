@@ -1,6 +1,7 @@
 #include "pipeline/options.h"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "mesh/input_error.h"
@@ -32,6 +33,16 @@ void check_size(const SizeOptions& size) {
   }
 }
 
+void check_flaps(const FlapOptions& flaps) {
+  if (flaps.side == FlapSide::kNone) return;
+  // Higher ones than 50 mm would hide whole faces.
+  const double height = flaps.shape.height;
+  check(std::isfinite(height) && height >= 1 && height <= 50, "flaps", "from 1 to 50 mm");
+  // Steeper sides collide inside the model; flatter ones leave no flap on short edges.
+  const double angle = flaps.shape.angle * 180 / std::numbers::pi;
+  check(angle > 10 - 1e-9 && angle < 60 + 1e-9, "flap-angle", "from 10 to 60 degrees");
+}
+
 }  // namespace
 
 void check_options(const JobOptions& options) {
@@ -43,6 +54,7 @@ void check_options(const JobOptions& options) {
   // A closed surface has at least four faces.
   check(options.faces == 0 || options.faces >= 4, "faces", "at least 4");
   check_size(options.size);
+  check_flaps(options.flaps);
   const SheetOptions& sheet = options.sheet;
   // Ten metres: wider than any roll, and far below what would lose precision.
   const auto is_length = [](double mm) { return std::isfinite(mm) && mm > 0 && mm <= 10000; };

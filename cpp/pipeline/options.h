@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "fold/foldable.h"
+#include "paper/flaps.h"
 #include "paper/sheets.h"
 #include "segment/segment.h"
 #include "unfold/heuristics.h"
@@ -52,6 +53,7 @@ struct JobOptions {
   int faces = 0;  ///< simplify to this many triangles first; 0: keep all
   SizeOptions size = {};
   SheetOptions sheet = {};
+  FlapOptions flaps = {};
 };
 
 /// \throw InputError that names the first option out of its range

@@ -8,13 +8,15 @@ namespace foldwright {
 struct PaperPlan {
   std::vector<FoundNet> nets;  ///< those of the state, some of them cut again
   std::vector<Net> flat;       ///< per net: in millimetres, turned, its box from (0, 0)
+  FlapPlan flaps;              ///< where the nets lie
   SheetLayout sheets;
 };
 
 /// Scales the nets of a state as its options ask, cuts those again that are too large for the
-/// sheet, and lays them out.
+/// sheet, adds flaps, and lays them out.
 ///
-/// Without a wish for a size the largest net just fits and nothing is cut. With a number of sheets
+/// Without a wish for a size the largest net just fits with its flaps, and nothing is cut. With
+/// one, flaps stay within the sheet where a net fits it only without them. With a number of sheets
 /// the scale is found by bisection, the largest that was tried and fits.
 /// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
 PaperPlan plan_paper(const JobState& state);

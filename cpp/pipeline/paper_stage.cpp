@@ -56,7 +56,7 @@ Mesh scaled(Mesh mesh, double factor) {
 Piece make_piece(const JobState& state, const Mesh& mesh, const FoundNet& found, Net net) {
   const DualGraph graph =
       restrict_to(state.components[found.region.component].graph, found.region.panels);
-  Piece piece{found.region.part, found.region.cause, std::move(net), {}, {}, {}};
+  Piece piece{.part = found.region.part, .cause = found.region.cause, .net = std::move(net)};
   piece.motion = make_motion(graph, found, piece.net);
   piece.check = check_net(mesh, piece.net);
   piece.outlines = boundary_walks(piece.net);
@@ -105,9 +105,12 @@ class PaperStage : public Stage {
     result.segmentation = source_segmentation(state);
     PaperPlan plan = plan_paper(state);
     result.sheets = std::move(plan.sheets);
+    result.flap_counts = plan.flaps.counts;
+    result.missed_flaps = std::move(plan.flaps.missed);
     const Mesh mesh = scaled(state.surface->mesh, result.sheets.scale);
     for (std::size_t i = 0; i < plan.nets.size(); ++i) {
       result.pieces.push_back(make_piece(state, mesh, plan.nets[i], std::move(plan.flat[i])));
+      result.pieces.back().flaps = std::move(plan.flaps.flaps[i]);
     }
     add_size_notices(state);
     result.mesh = state.surface->mesh;

@@ -6,6 +6,7 @@
 
 #include "fold/motion.h"
 #include "mesh/repair.h"
+#include "paper/flaps.h"
 #include "paper/sheets.h"
 #include "unfold/net.h"
 
@@ -33,7 +34,8 @@ struct PieceMotion {
 struct Piece {
   int part = 0;
   Cause cause = Cause::kPart;
-  Net net;  ///< millimetres; its box starts at (0, 0)
+  Net net;  ///< millimetres; with the flaps its box starts at (0, 0)
+  std::vector<Flap> flaps = {};
   NetCheck check;
   PieceMotion motion;
   std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
@@ -47,6 +49,8 @@ struct JobResult {
   int parts = 0;
   std::vector<Piece> pieces;
   SheetLayout sheets;
+  FlapCounts flap_counts;
+  std::vector<MissedFlap> missed_flaps;
   std::int64_t moves = 0;  ///< of the tree searches
   int generations = 0;     ///< of the genetic searches
   std::vector<Notice> notices;

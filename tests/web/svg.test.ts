@@ -2,7 +2,13 @@ import { XMLParser } from 'fast-xml-parser';
 import { describe, expect, it } from 'vitest';
 import { writeSvg } from '../../web/export/svg.js';
 import type { JobResult } from '../../web/model/job.js';
-import { boxAndLidResult, cubeResult, slitResult, tetrahedronResult } from './fixtures.js';
+import {
+  boxAndLidResult,
+  cubeResult,
+  flapResult,
+  slitResult,
+  tetrahedronResult,
+} from './fixtures.js';
 import { expectGolden } from './golden.js';
 
 interface Path {
@@ -123,6 +129,21 @@ describe('writeSvg', () => {
     expect(cut['stroke-dasharray']).toBeUndefined();
     expect(mountain['stroke-dasharray']!.split(' ')).toHaveLength(2);
     expect(valley['stroke-dasharray']!.split(' ')).toHaveLength(4);
+  });
+
+  it('walks around flaps, and folds them at their bases', () => {
+    const bare = parse(writeSvg(slitResult(), 0));
+    const drawing = parse(writeSvg(flapResult(), 0));
+    const without = walks(bare, 'cut')[0]!;
+    const around = walks(drawing, 'cut')[0]!;
+    // Foot and two corners; the other foot is the end of the edge.
+    expect(around).toHaveLength(without.length + 3);
+    expect(Math.abs(areaOf(around)) - Math.abs(areaOf(without))).toBeGreaterThan(0);
+    const folds = walks(drawing, 'fold-valley');
+    expect(folds).toHaveLength(walks(bare, 'fold-valley').length + 1);
+    const [foot, end] = folds.at(-1)!;
+    expect(around).toContainEqual(foot);
+    expect(around).toContainEqual(end);
   });
 
   it('names each piece inside one of its faces', () => {

@@ -2,6 +2,7 @@ import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
 import { paperSizes, type PaperSize } from '../model/paper.js';
 import { find, make } from './dom.js';
+import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
 import { SizeFields } from './size-fields.js';
 
@@ -32,6 +33,7 @@ export class OptionsForm {
   private readonly button = find('#unfold', HTMLButtonElement);
   private readonly more = new MoreOptions();
   private readonly size = new SizeFields();
+  private readonly flaps = new FlapFields();
 
   constructor(onSubmit: () => void) {
     const papers = paperSizes.map((size) =>
@@ -83,6 +85,7 @@ export class OptionsForm {
       ...defaultOptions,
       ...this.more.read(),
       ...this.size.read(),
+      ...this.flaps.read(),
       parts: this.parts.value === '' ? defaultOptions.parts : this.parts.valueAsNumber,
       paperWidth: paper.width,
       paperHeight: paper.height,

@@ -60,11 +60,19 @@ function smallestPiece({ pieces }: JobResult): string {
   return `${pieceLetter(id)}, ${Math.round(width)} × ${Math.round(height)} mm`;
 }
 
+/** How many seams have a flap. */
+function flapWords({ flaps: { wanted, full, shrunk } }: JobResult): string {
+  if (wanted === 0) return 'none';
+  const words = `on ${full + shrunk} of ${count(wanted, 'seam')}`;
+  return shrunk === 0 ? words : `${words}, ${shrunk} of them narrow`;
+}
+
 /** The figures worth knowing before printing. */
 export function resultFacts(result: TimedResult): Fact[] {
   return [
     ['Finished size', finishedSize(result.model)],
     ['Smallest piece', smallestPiece(result)],
+    ['Flaps', flapWords(result)],
     ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
     ['Paper used', `${Math.round(100 * result.efficiency)} %`],
     ['Triangles', String(result.model.faces.length / 3)],

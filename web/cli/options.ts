@@ -94,6 +94,24 @@ export const rows = {
     'auto, portrait or landscape',
   ),
   margin: row('MM', defaultOptions.margin, decimal(0, 1000), 'margin that stays free'),
+  flaps: row(
+    'MM|none',
+    defaultOptions.flapHeight,
+    wordOr('none', decimal(1, 50)),
+    'height of flaps; lower ones where there is no room',
+  ),
+  'flap-angle': row(
+    'DEG',
+    defaultOptions.flapAngle,
+    decimal(10, 60),
+    'angle of their sides at the base, at most',
+  ),
+  'flap-side': row(
+    'NAME',
+    'one',
+    choice(['one', 'alternate', 'both']),
+    'one: the side with more room; alternate: in turn; both',
+  ),
   workers: row(
     'N|auto',
     'auto',
@@ -116,9 +134,6 @@ export interface LaterRow {
 }
 
 export const laterRows: Record<string, LaterRow> = {
-  flaps: { value: 'MM|none', same: 'none' },
-  'flap-angle': { value: 'DEG' },
-  'flap-side': { value: 'NAME' },
   ids: { value: 'NAME', same: 'none' },
   style: { value: 'NAME', same: 'foldwright' },
   texture: {},
@@ -145,6 +160,17 @@ function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
   return { sizing: 'fit', size: 0 };
 }
 
+function flapOptions(
+  settings: Settings,
+): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle'> {
+  const { flaps } = settings;
+  return {
+    flapSide: flaps === 'none' ? 'none' : settings['flap-side'],
+    flapHeight: flaps === 'none' ? defaultOptions.flapHeight : flaps,
+    flapAngle: settings['flap-angle'],
+  };
+}
+
 /** What the engine is asked for. */
 export function jobOptions(settings: Settings): JobOptions {
   const { parts, faces, heuristic, segment, solver, folding, clearance, runs, proxy, seed } =
@@ -161,6 +187,7 @@ export function jobOptions(settings: Settings): JobOptions {
     seed,
     faces: faces === 'off' ? 0 : faces,
     ...sizeOptions(settings),
+    ...flapOptions(settings),
     unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,

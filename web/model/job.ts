@@ -10,6 +10,7 @@ export type FoldingMode = 'require' | 'prefer' | 'off';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
 /** What decides the finished size; 'fit': the largest piece just fits the sheet. */
 export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
+export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
 export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
 
 export interface JobOptions {
@@ -35,6 +36,11 @@ export interface JobOptions {
   size: number;
   /** Unit of the model, for the factor. */
   unit: Unit;
+  /** On which side of a cut edge flaps go; 'one': the one with more room. */
+  flapSide: FlapSide;
+  flapHeight: number;
+  /** Of a flap's sides at its base, at most; degrees. */
+  flapAngle: number;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -75,6 +81,29 @@ export interface Motion {
   angles: Float64Array;
 }
 
+/** Flaps of a piece; like its vertices they are seen from the printed side. */
+export interface Flaps {
+  /** Per flap: the edge of the piece that it is attached to. */
+  edges: Int32Array;
+  /** 8 per flap: x and y of foot, top, top and foot, in the direction of the edge. */
+  corners: Float64Array;
+  /** Per flap: fold angle of its base in degrees, valley positive, mountain negative. */
+  angles: Float64Array;
+}
+
+/** What came of the flaps of cut edges between two faces that are longer than 4 mm. */
+export interface FlapCounts {
+  wanted: number;
+  /** By the better side: of full height, and lower ones. */
+  full: number;
+  shrunk: number;
+  /** Why others are missing: wedge too narrow, neighbour too thin, blocked, edge too short. */
+  missing: { narrow: number; thin: number; blocked: number; short: number };
+  /** Length of the edges that want flaps, and of those without. */
+  wanted_mm: number;
+  missing_mm: number;
+}
+
 /** One net on paper. */
 export interface Piece {
   id: number;
@@ -88,7 +117,7 @@ export interface Piece {
   overlaps: number;
   width: number;
   height: number;
-  /** 2 per vertex, y up; the bounding box starts at (0, 0). */
+  /** 2 per vertex, y up; the bounding box, flaps included, starts at (0, 0). */
   vertices: Float64Array;
   /** 3 per face, counter-clockwise from the printed side, corner by corner those of its source. */
   faces: Int32Array;
@@ -109,6 +138,7 @@ export interface Piece {
   /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
    * walked there and back. */
   outlines: Int32Array[];
+  flaps: Flaps;
   /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
   sheet: number;
   x: number;
@@ -134,6 +164,7 @@ export interface JobResult {
   efficiency: number;
   /** Millimetres per unit of the model. */
   scale: number;
+  flaps: FlapCounts;
   search: { generations: number; moves: number };
   notices: Notice[];
   /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */
