@@ -43,6 +43,10 @@ constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
                                          {"one", FlapSide::kOne},
                                          {"alternate", FlapSide::kAlternate},
                                          {"both", FlapSide::kBoth}};
+constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
+                                       {"inside", IdPlace::kInside},
+                                       {"flap", IdPlace::kFlap},
+                                       {"both", IdPlace::kBoth}};
 constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
                                  {"mm", Unit::kMillimetre},
                                  {"cm", Unit::kCentimetre},
@@ -194,6 +198,24 @@ val flap_counts_value(const JobResult& result) {
   return object;
 }
 
+/// Texts lie on the sheet as the piece does; angles in degrees.
+val label_value(const Label& label) {
+  val object = val::object();
+  object.set("text", label.text);
+  object.set("x", label.centre.x());
+  object.set("y", label.centre.y());
+  object.set("angle", label.angle * 180 / std::numbers::pi);
+  object.set("size", label.size);
+  return object;
+}
+
+val ids_value(const JobResult& result) {
+  val object = val::object();
+  object.set("printed", result.printed_ids);
+  object.set("skipped", ints(result.skipped_ids));
+  return object;
+}
+
 val piece_value(const Piece& piece, int id, const Placement& place) {
   const Net& net = piece.net;
   std::vector<double> vertices;
@@ -221,6 +243,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
   object.set("flaps", flaps_value(piece.flaps));
+  object.set("labels", list(piece.labels, label_value));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
   object.set("y", place.y);
@@ -262,6 +285,7 @@ val result_value(const JobResult& result) {
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);
   object.set("flaps", flap_counts_value(result));
+  object.set("ids", ids_value(result));
   object.set("search", search);
   object.set("notices", list(result.notices, notice_value));
   object.set("hash", result.hash);
@@ -382,6 +406,7 @@ JobOptions options_from(const val& object) {
   options.size.by = from_name<Sizing>(kSizings, object["sizing"]);
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, object["unit"]);
+  options.ids = from_name<IdPlace>(kIdPlaces, object["ids"]);
   options.flaps.side = from_name<FlapSide>(kFlapSides, object["flapSide"]);
   FlapShape& flap = options.flaps.shape;
   flap.height = object["flapHeight"].as<double>();

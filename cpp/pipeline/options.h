@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "fold/foldable.h"
-#include "paper/flaps.h"
+#include "paper/labels.h"
 #include "paper/sheets.h"
 #include "segment/segment.h"
 #include "unfold/heuristics.h"
@@ -54,6 +54,7 @@ struct JobOptions {
   SizeOptions size = {};
   SheetOptions sheet = {};
   FlapOptions flaps = {};
+  IdPlace ids = IdPlace::kBoth;
 };
 
 /// \throw InputError that names the first option out of its range

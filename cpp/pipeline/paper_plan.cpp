@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mesh/input_error.h"
+#include "paper/gluing_order.h"
 #include "paper/recut.h"
 #include "pipeline/model_size.h"
 #include "pipeline/net_split.h"
@@ -143,6 +144,17 @@ FlapPlan flaps_on_sheets(const JobState& state, std::span<const Net> nets) {
   return plan;
 }
 
+void sort_for_gluing(PaperPlan& plan) {
+  std::vector<FoundNet> nets;
+  std::vector<Net> flat;
+  for (const int i : gluing_order(plan.flat)) {
+    nets.push_back(std::move(plan.nets[i]));
+    flat.push_back(std::move(plan.flat[i]));
+  }
+  plan.nets = std::move(nets);
+  plan.flat = std::move(flat);
+}
+
 PaperPlan plan_at(const JobState& state, double scale) {
   PaperPlan plan;
   for (const FoundNet& found : state.nets) {
@@ -153,6 +165,7 @@ PaperPlan plan_at(const JobState& state, double scale) {
       plan.nets.push_back(std::move(piece));
     }
   }
+  sort_for_gluing(plan);
   plan.flaps = flaps_on_sheets(state, plan.flat);
   std::vector<Footprint> prints;
   for (std::size_t i = 0; i < plan.flat.size(); ++i) {
@@ -234,9 +247,7 @@ PaperPlan plan_on_sheets(const JobState& state, int sheets) {
   return std::move(*best);
 }
 
-}  // namespace
-
-PaperPlan plan_paper(const JobState& state) {
+PaperPlan plan_size(const JobState& state) {
   const SizeOptions& size = state.options.size;
   switch (size.by) {
     case Sizing::kFit:
@@ -246,6 +257,14 @@ PaperPlan plan_paper(const JobState& state) {
     default:
       return plan_at(state, fixed_scale(state.surface->mesh, size));
   }
+}
+
+}  // namespace
+
+PaperPlan plan_paper(const JobState& state) {
+  PaperPlan plan = plan_size(state);
+  plan.labels = place_labels(plan.flat, plan.flaps.flaps, state.options.ids);
+  return plan;
 }
 
 }  // namespace foldwright

@@ -6,10 +6,12 @@ namespace foldwright {
 
 /// Nets of their finished size on sheets.
 struct PaperPlan {
-  std::vector<FoundNet> nets;  ///< those of the state, some of them cut again
-  std::vector<Net> flat;       ///< per net: in millimetres, turned, its box from (0, 0)
-  FlapPlan flaps;              ///< where the nets lie
+  /// Those of the state in the order of gluing, some of them cut again.
+  std::vector<FoundNet> nets;
+  std::vector<Net> flat;  ///< per net: in millimetres, turned, its box from (0, 0)
+  FlapPlan flaps;         ///< where the nets lie
   SheetLayout sheets;
+  LabelPlan labels;
 };
 
 /// Scales the nets of a state as its options ask, cuts those again that are too large for the

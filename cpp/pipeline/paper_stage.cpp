@@ -106,11 +106,14 @@ class PaperStage : public Stage {
     PaperPlan plan = plan_paper(state);
     result.sheets = std::move(plan.sheets);
     result.flap_counts = plan.flaps.counts;
+    result.printed_ids = plan.labels.printed;
+    result.skipped_ids = std::move(plan.labels.skipped);
     result.missed_flaps = std::move(plan.flaps.missed);
     const Mesh mesh = scaled(state.surface->mesh, result.sheets.scale);
     for (std::size_t i = 0; i < plan.nets.size(); ++i) {
       result.pieces.push_back(make_piece(state, mesh, plan.nets[i], std::move(plan.flat[i])));
       result.pieces.back().flaps = std::move(plan.flaps.flaps[i]);
+      result.pieces.back().labels = std::move(plan.labels.labels[i]);
     }
     add_size_notices(state);
     result.mesh = state.surface->mesh;

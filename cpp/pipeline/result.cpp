@@ -42,6 +42,12 @@ void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
     dump.add(flap.edge);
     for (const Vec2& p : flap.corners) dump.add(p);
   }
+  for (const Label& label : piece.labels) {
+    for (const char letter : label.text) dump.add(letter);
+    dump.add(label.centre);
+    dump.add(label.angle);
+    dump.add(label.size);
+  }
   dump.add(static_cast<int>(piece.motion.kind));
   dump.add(piece.motion.root);
   dump.add(piece.motion.times);

@@ -6,7 +6,7 @@
 
 #include "fold/motion.h"
 #include "mesh/repair.h"
-#include "paper/flaps.h"
+#include "paper/labels.h"
 #include "paper/sheets.h"
 #include "unfold/net.h"
 
@@ -36,6 +36,7 @@ struct Piece {
   Cause cause = Cause::kPart;
   Net net;  ///< millimetres; with the flaps its box starts at (0, 0)
   std::vector<Flap> flaps = {};
+  std::vector<Label> labels = {};
   NetCheck check;
   PieceMotion motion;
   std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
@@ -47,12 +48,14 @@ struct JobResult {
   std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
   std::vector<int> labels;        ///< per face of the mesh: its part
   int parts = 0;
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;  ///< in the order of gluing
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;
-  std::int64_t moves = 0;  ///< of the tree searches
-  int generations = 0;     ///< of the genetic searches
+  int printed_ids = 0;           ///< see `LabelPlan`
+  std::vector<int> skipped_ids;  ///< see `LabelPlan`
+  std::int64_t moves = 0;        ///< of the tree searches
+  int generations = 0;           ///< of the genetic searches
   std::vector<Notice> notices;
   std::string hash;  ///< of the canonical dump
 };

@@ -59,6 +59,7 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--flaps', '0'], "option '--flaps': '0' is not a number from 1 to 50, nor none"],
     [['--flap-angle', '61'], "option '--flap-angle': '61' is not a number from 10 to 60"],
     [['--flap-side', 'left'], "option '--flap-side': 'left' is not one or alternate or both"],
+    [['--ids', 'outside'], "option '--ids': 'outside' is not inside or flap or both or none"],
     [['--unit', 'ft'], "option '--unit': 'ft' is not guess or mm"],
     [['-o', 'out.dxf'], "'out.dxf': the format .dxf does not exist in this version yet"],
     [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],

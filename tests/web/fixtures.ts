@@ -1,5 +1,6 @@
 /** Small models with known nets, laid flat here so that exporters can be tested without the engine. */
 import type { FlapCounts, JobResult, Model, Piece } from '../../web/model/job.js';
+import { pieceLetter } from '../../web/model/piece-letter.js';
 
 type Point = [number, number];
 
@@ -168,6 +169,7 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
     flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
+    labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
     sheet: 0,
     x: 10,
     y: 10,
@@ -200,11 +202,18 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     segmentation: labels.slice(),
     labels,
     parts: pieces.length,
-    pieces: pieces.map((piece, i) => ({ ...piece, id: i, part: i, sheet: i })),
+    pieces: pieces.map((piece, i) => ({
+      ...piece,
+      id: i,
+      part: i,
+      sheet: i,
+      labels: piece.labels.map((label) => ({ ...label, text: pieceLetter(i) })),
+    })),
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
     efficiency: 0.25,
     scale: 1,
     flaps: noFlaps,
+    ids: { printed: 0, skipped: Int32Array.of(3) },
     search: { generations: 0, moves: 0 },
     notices: [],
     hash: '0123456789abcdef',

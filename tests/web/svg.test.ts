@@ -2,13 +2,7 @@ import { XMLParser } from 'fast-xml-parser';
 import { describe, expect, it } from 'vitest';
 import { writeSvg } from '../../web/export/svg.js';
 import type { JobResult } from '../../web/model/job.js';
-import {
-  boxAndLidResult,
-  cubeResult,
-  flapResult,
-  slitResult,
-  tetrahedronResult,
-} from './fixtures.js';
+import { boxAndLidResult, cubeResult, flapResult, slitResult } from './fixtures.js';
 import { expectGolden } from './golden.js';
 
 interface Path {
@@ -21,7 +15,7 @@ interface Path {
 interface Group {
   id: string;
   path?: Path[];
-  text?: { '#text': string; x: string; y: string; 'font-size': string }[];
+  text?: { '#text': string; x: string; y: string; 'font-size': string; transform?: string }[];
 }
 
 interface Drawing {
@@ -152,10 +146,16 @@ describe('writeSvg', () => {
     expect(groupOf(lid!, 'id').text!.map((label) => label['#text'])).toEqual(['B']);
   });
 
-  it('leaves the name out where no face has room for it', () => {
-    const small = tetrahedronResult();
-    for (const piece of small.pieces) piece.vertices = piece.vertices.map((value) => value / 20);
-    expect(groupOf(parse(writeSvg(small, 0)), 'id').text).toBeUndefined();
+  it('turns an id about its own place', () => {
+    const result = slitResult();
+    result.pieces[0]!.labels.push({ text: 'C:17', x: 20, y: 30, angle: 30, size: 2 });
+    const [, id] = groupOf(parse(writeSvg(result, 0)), 'id').text!;
+    expect(id!['#text']).toBe('C:17');
+    const [angle, x, y] = id!.transform!.match(/-?[\d.]+/g)!.map(Number);
+    expect([angle, x, y]).toEqual([-30, Number(id!.x), Number(id!.y)]);
+    // Down from the middle by half a capital's height, across the baseline.
+    expect(Number(id!.x)).toBeCloseTo(30 + 0.72 * 0.5, 3);
+    expect(297 - Number(id!.y)).toBeCloseTo(40 - 0.72 * Math.cos(Math.PI / 6), 3);
   });
 
   it('keeps the format of the files', () => {

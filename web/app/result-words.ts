@@ -67,12 +67,19 @@ function flapWords({ flaps: { wanted, full, shrunk } }: JobResult): string {
   return shrunk === 0 ? words : `${words}, ${shrunk} of them narrow`;
 }
 
+/** How many seams have their number at both sides. */
+function idWords({ ids: { printed, skipped } }: JobResult): string {
+  const all = printed + skipped.length;
+  return all === 0 ? 'none' : `on ${printed} of ${count(all, 'seam')}`;
+}
+
 /** The figures worth knowing before printing. */
 export function resultFacts(result: TimedResult): Fact[] {
   return [
     ['Finished size', finishedSize(result.model)],
     ['Smallest piece', smallestPiece(result)],
     ['Flaps', flapWords(result)],
+    ['Edge numbers', idWords(result)],
     ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
     ['Paper used', `${Math.round(100 * result.efficiency)} %`],
     ['Triangles', String(result.model.faces.length / 3)],

@@ -112,6 +112,12 @@ export const rows = {
     choice(['one', 'alternate', 'both']),
     'one: the side with more room; alternate: in turn; both',
   ),
+  ids: row(
+    'NAME',
+    defaultOptions.ids,
+    choice(['inside', 'flap', 'both', 'none']),
+    'where the numbers of cut edges go: inside, flap, both or none',
+  ),
   workers: row(
     'N|auto',
     'auto',
@@ -134,7 +140,6 @@ export interface LaterRow {
 }
 
 export const laterRows: Record<string, LaterRow> = {
-  ids: { value: 'NAME', same: 'none' },
   style: { value: 'NAME', same: 'foldwright' },
   texture: {},
   colour: { value: 'NAME', same: 'none' },
@@ -188,6 +193,7 @@ export function jobOptions(settings: Settings): JobOptions {
     faces: faces === 'off' ? 0 : faces,
     ...sizeOptions(settings),
     ...flapOptions(settings),
+    ids: settings.ids,
     unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,

@@ -1,5 +1,6 @@
 import {
   closePath,
+  degrees,
   lineTo,
   moveTo,
   PDFDocument,
@@ -19,7 +20,7 @@ import {
   type PDFPage,
 } from 'pdf-lib';
 import type { JobResult } from '../model/job.js';
-import { baselineDrop, type Label } from './label-place.js';
+import { baselineOf, type Label } from './label.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
 import type { Point } from './point.js';
 import { drawSheet, type DrawingOptions } from './sheet-drawing.js';
@@ -74,13 +75,18 @@ function encodable(text: string, font: PDFFont): string {
   return [...text].map((letter) => (known.has(letter.codePointAt(0)!) ? letter : '?')).join('');
 }
 
-function drawLabel(page: PDFPage, font: PDFFont, { text, x, y, size }: Label): void {
-  page.drawText(text, {
-    x: x * scale - font.widthOfTextAtSize(text, size * scale) / 2,
-    y: (y - baselineDrop(size)) * scale,
-    size: size * scale,
+function drawLabel(page: PDFPage, font: PDFFont, label: Label): void {
+  const [x, y] = baselineOf(label);
+  const size = label.size * scale;
+  const half = font.widthOfTextAtSize(label.text, size) / 2;
+  const turn = (label.angle * Math.PI) / 180;
+  page.drawText(label.text, {
+    x: x * scale - half * Math.cos(turn),
+    y: y * scale - half * Math.sin(turn),
+    size,
     font,
     color: colour(textColour),
+    rotate: degrees(label.angle),
   });
 }
 
@@ -141,7 +147,7 @@ export async function writePdf(result: JobResult, options: PdfOptions): Promise<
         ...lines('valley', piece.valleys, false),
         ...lines('cut', piece.cuts, true),
       );
-      if (piece.label) drawLabel(page, font, piece.label);
+      for (const label of piece.labels) drawLabel(page, font, label);
     }
     const count = result.sheets.length;
     const note = `${title} - sheet ${index + 1} of ${count} - print at 100 %`;

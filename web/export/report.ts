@@ -81,7 +81,7 @@ function sizeOf({ vertices }: Model): number[] {
   return high.map((value, axis) => value - low[axis]!);
 }
 
-/** The report of a run. Edge ids are not made yet and are reported as none. */
+/** The report of a run. */
 export function makeReport(input: ReportInput): Report {
   const { job, result } = input;
   const { model } = result;
@@ -104,7 +104,7 @@ export function makeReport(input: ReportInput): Report {
     sheets: result.sheets.length,
     efficiency: result.efficiency,
     flaps: result.flaps,
-    ids: { printed: 0, skipped: [] },
+    ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
     notices: result.notices,
     seconds: input.seconds,
     search: result.search,

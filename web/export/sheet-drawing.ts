@@ -1,6 +1,6 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { pieceLetter } from '../model/piece-letter.js';
-import { placeLabel, type Label } from './label-place.js';
+import type { Label } from './label.js';
 import type { Point, Segment } from './point.js';
 
 /** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
@@ -10,7 +10,8 @@ export interface PieceDrawing {
   cuts: Point[][];
   mountains: Segment[];
   valleys: Segment[];
-  label: Label | null;
+  /** Its name, and the ids of its cut edges. */
+  labels: Label[];
 }
 
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
@@ -77,14 +78,16 @@ function drawPiece(piece: Piece, flatFold: number): PieceDrawing {
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
-  const letter = pieceLetter(piece.id);
-  const label = placeLabel(piece, letter);
   return {
-    letter,
+    letter: pieceLetter(piece.id),
     cuts: drawCuts(piece, at),
     mountains: drawFolds(piece, 'M', flatFold, at),
     valleys: drawFolds(piece, 'V', flatFold, at),
-    label: label && { ...label, x: label.x + piece.x, y: label.y + piece.y },
+    labels: piece.labels.map((label) => ({
+      ...label,
+      x: label.x + piece.x,
+      y: label.y + piece.y,
+    })),
   };
 }
 

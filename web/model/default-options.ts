@@ -19,6 +19,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   flapSide: 'one',
   flapHeight: 5,
   flapAngle: 60,
+  ids: 'both',
   paperWidth: 210,
   paperHeight: 297,
   orientation: 'auto',

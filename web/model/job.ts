@@ -11,6 +11,8 @@ export type Orientation = 'auto' | 'portrait' | 'landscape';
 /** What decides the finished size; 'fit': the largest piece just fits the sheet. */
 export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
 export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
+/** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
+export type IdPlace = 'none' | 'inside' | 'flap' | 'both';
 export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
 
 export interface JobOptions {
@@ -41,6 +43,7 @@ export interface JobOptions {
   flapHeight: number;
   /** Of a flap's sides at its base, at most; degrees. */
   flapAngle: number;
+  ids: IdPlace;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -91,6 +94,18 @@ export interface Flaps {
   angles: Float64Array;
 }
 
+/** A text on a piece: its name, or the id of a cut edge. */
+export interface PieceLabel {
+  text: string;
+  /** The middle of its box, as the vertices are. */
+  x: number;
+  y: number;
+  /** Of its baseline, counter-clockwise from the right, in (-90, 90] degrees. */
+  angle: number;
+  /** Of the font. */
+  size: number;
+}
+
 /** What came of the flaps of cut edges between two faces that are longer than 4 mm. */
 export interface FlapCounts {
   wanted: number;
@@ -139,6 +154,8 @@ export interface Piece {
    * walked there and back. */
   outlines: Int32Array[];
   flaps: Flaps;
+  /** No text touches a line, or another text. */
+  labels: PieceLabel[];
   /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
   sheet: number;
   x: number;
@@ -158,6 +175,7 @@ export interface JobResult {
   /** Per face of the repaired model: its part. */
   labels: Int32Array;
   parts: number;
+  /** In the order of gluing. */
   pieces: Piece[];
   sheets: Sheet[];
   /** Area of the faces over the area of the sheets. */
@@ -165,6 +183,8 @@ export interface JobResult {
   /** Millimetres per unit of the model. */
   scale: number;
   flaps: FlapCounts;
+  /** Cut edges with their id at both sides, and ids that are unreadable at one at least. */
+  ids: { printed: number; skipped: Int32Array };
   search: { generations: number; moves: number };
   notices: Notice[];
   /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */
