@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mesh/input_error.h"
+#include "paper/packing.h"
 #include "paper/rows.h"
 
 namespace foldwright {
@@ -26,28 +27,41 @@ Turn choose_turn(std::span<const Turn> turns, const Extent& room) {
   return *best;
 }
 
-SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
-                        const SheetOptions& options) {
-  const Extent room = {sheet.width - 2 * options.margin, sheet.height - 2 * options.margin};
-  SheetLayout layout;
+/// Pieces in rows, by their boxes.
+Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, double gap) {
+  Packing packing;
   std::vector<Extent> boxes;
-  double area = 0;
   for (const Footprint& piece : pieces) {
     const std::vector<Vec2> hull = convex_hull(piece.points());
     const Turn turn = choose_turn(upright_turns(hull), room);
     boxes.push_back(turn.box);
-    layout.turns.push_back(settle(hull, turn));
-    area += piece.face_area;
+    packing.turns.push_back(settle(hull, turn));
   }
-  RowLayout rows = lay_in_rows(boxes, room, options.gap);
+  RowLayout rows = lay_in_rows(boxes, room, gap);
+  packing.sheet_count = rows.sheet_count;
+  packing.placements = std::move(rows.places);
+  return packing;
+}
+
+SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
+                        const SheetOptions& options) {
+  const Extent room = {sheet.width - 2 * options.margin, sheet.height - 2 * options.margin};
+  Packing packing = pack(pieces, room, options.gap);
+  // Rarely, boxes happen to fit better than what a greedy packing of shapes comes to.
+  Packing rows = pack_in_rows(pieces, room, options.gap);
+  if (rows.sheet_count < packing.sheet_count) packing = std::move(rows);
+  SheetLayout layout;
+  layout.turns = std::move(packing.turns);
+  layout.placements = std::move(packing.placements);
   layout.sheet_width = sheet.width;
   layout.sheet_height = sheet.height;
-  layout.sheet_count = rows.sheet_count;
-  layout.placements = std::move(rows.places);
+  layout.sheet_count = packing.sheet_count;
   for (Placement& place : layout.placements) {
     place.x += options.margin;
     place.y += options.margin;
   }
+  double area = 0;
+  for (const Footprint& piece : pieces) area += piece.face_area;
   layout.efficiency = area / (sheet.width * sheet.height * layout.sheet_count);
   return layout;
 }

@@ -16,7 +16,7 @@ struct SheetOptions {
   double height = 297;
   double margin = 10;  ///< kept free on all four sides; most printers need 4 to 6
   Orientation orientation = Orientation::kAuto;
-  double gap = 4;  ///< between pieces: room for scissors
+  double gap = 3;  ///< between pieces: room for scissors
 };
 
 /// What of a piece takes up paper: convex polygons (faces and flaps), counter-clockwise,
@@ -54,10 +54,10 @@ Extent printable(const SheetOptions& options);
 /// \throw InputError if the margins leave nothing of the sheet
 double fitting_scale(std::span<const Footprint> pieces, const SheetOptions& options);
 
-/// Lays pieces of their finished size, in millimetres, out on sheets in simple rows, by bounding
-/// boxes. With automatic orientation the one that needs fewer sheets is taken, then portrait.
-/// \pre each piece fits a sheet in some turn
-/// \throw InputError if the margins leave nothing of the sheet
+/// Lays pieces of their finished size, in millimetres, out on sheets by their true shapes, on never
+/// more sheets than rows of bounding boxes take. With automatic orientation the one that needs
+/// fewer sheets is taken, then portrait. \pre each piece fits a sheet in some turn \throw
+/// InputError if the margins leave nothing of the sheet
 SheetLayout lay_on_sheets(std::span<const Footprint> pieces, const SheetOptions& options = {});
 
 }  // namespace foldwright
