@@ -24,8 +24,8 @@ constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge
                                            {"flat", Heuristic::kFlatTree},
                                            {"hybrid", Heuristic::kHybrid},
                                            {"random", Heuristic::kRandom}};
-constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kMerge},
-                                           {"spectral", Segmenter::kSpectral}};
+constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kShape},
+                                           {"spectral", Segmenter::kFoldability}};
 constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver::kGenetic}};
 constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
                                                {"prefer", FoldingMode::kPrefer},

@@ -14,9 +14,12 @@ Labels label_component(const JobState& state, Component& component) {
   const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
   const SegmentOptions options = {state.options.segmenter, component.parts, state.options.seed};
   Labels on_learned = segment(learned.surface->mesh, graph, learned.matrix, options);
-  component.labels = open_pockets(state.surface->mesh, component.graph,
-                                  carry_labels(state.surface->mesh, component.graph,
-                                               {learned.matrix, learned.rows}, on_learned));
+  const Mesh& mesh = state.surface->mesh;
+  Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
+  if (options.segmenter == Segmenter::kShape) {
+    labels = smooth_labels(mesh, component.graph, learned.matrix.size, std::move(labels));
+  }
+  component.labels = open_pockets(mesh, component.graph, std::move(labels));
   return on_learned;
 }
 

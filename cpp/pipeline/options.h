@@ -40,7 +40,7 @@ struct SizeOptions {
 struct JobOptions {
   int parts = 0;  ///< number of parts; 0 estimates it
   Heuristic heuristic = Heuristic::kSteepestEdge;
-  Segmenter segmenter = Segmenter::kMerge;
+  Segmenter segmenter = Segmenter::kShape;
   Solver solver = Solver::kTree;
   FoldingMode folding = FoldingMode::kPrefer;
   /// How far apart faces stay while folding, in mean edge lengths: see `make_foldable`.

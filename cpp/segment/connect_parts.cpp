@@ -24,18 +24,35 @@ std::vector<char> in_main_piece(const DualGraph& graph, const Labels& labels) {
   return result;
 }
 
-double co_foldability(const DualGraph& graph, const CarriedFoldability& foldability,
-                      const Labels& labels, const std::vector<char>& settled, int panel, int part) {
-  double sum = 0;
-  for (int other = 0; other < graph.panel_count(); ++other) {
-    if (settled[other] && labels[other] == part)
-      sum += graph.areas[other] * foldability(panel, other);
+/// How well panels unfold with the settled share of each part: the sum over its panels of area
+/// times M [paper, Eq. (1)]. Sums rows first, because many panels of a fine mesh share one.
+class CoFoldability {
+ public:
+  CoFoldability(const DualGraph& graph, const CarriedFoldability& foldability, const Labels& labels,
+                const std::vector<char>& settled)
+      : foldability_(foldability), weights_(part_count(labels)) {
+    for (std::vector<double>& weights : weights_) weights.resize(foldability.matrix.size, 0);
+    for (int panel = 0; panel < graph.panel_count(); ++panel) {
+      if (settled[panel]) weights_[labels[panel]][foldability.rows[panel]] += graph.areas[panel];
+    }
   }
-  return sum;
-}
+
+  double operator()(int panel, int part) const {
+    const int row = foldability_.rows[panel];
+    double sum = 0;
+    for (int other = 0; other < foldability_.matrix.size; ++other) {
+      sum += weights_[part][other] * foldability_.matrix(row, other);
+    }
+    return sum;
+  }
+
+ private:
+  const CarriedFoldability& foldability_;
+  std::vector<std::vector<double>> weights_;  ///< area by part and row
+};
 
 /// The adjacent settled part that `panel` unfolds best with; -1 when it touches none.
-int best_neighbour(const DualGraph& graph, const CarriedFoldability& foldability,
+int best_neighbour(const DualGraph& graph, const CoFoldability& co_foldability,
                    const Labels& labels, const std::vector<char>& settled, int panel) {
   std::set<int> adjacent;
   for (const int h : graph.hinges_of(panel)) {
@@ -45,7 +62,7 @@ int best_neighbour(const DualGraph& graph, const CarriedFoldability& foldability
   int best = -1;
   double most = -1;
   for (const int part : adjacent) {
-    const double value = co_foldability(graph, foldability, labels, settled, panel, part);
+    const double value = co_foldability(panel, part);
     if (value > most) most = value, best = part;
   }
   return best;
@@ -57,12 +74,13 @@ Labels connect_parts(const DualGraph& graph, const CarriedFoldability& foldabili
   assert(static_cast<int>(foldability.rows.size()) == graph.panel_count());
   labels = renumbered(labels);
   std::vector<char> settled = in_main_piece(graph, labels);
+  const CoFoldability co_foldability(graph, foldability, labels, settled);
   // Stray panels join from the edge of the settled ones inwards, so that what joins is connected.
   for (bool joined = true; joined;) {
     joined = false;
     for (int panel = 0; panel < graph.panel_count(); ++panel) {
       if (settled[panel]) continue;
-      const int part = best_neighbour(graph, foldability, labels, settled, panel);
+      const int part = best_neighbour(graph, co_foldability, labels, settled, panel);
       if (part == -1) continue;
       labels[panel] = part;
       settled[panel] = 1;

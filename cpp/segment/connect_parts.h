@@ -6,11 +6,11 @@
 namespace foldwright {
 
 /// Makes every part connected: panels apart from the largest piece (by area) of their part go to
-/// the neighbouring part of greatest co-foldability, the sum over its faces of area times M
-/// [paper, Eq. (1)].
+/// the neighbouring part of greatest co-foldability, the sum of area times M over the faces
+/// of its largest piece [paper, Eq. (1)].
 ///
 /// `foldability`: one row per panel. A part never vanishes. Pieces that touch no other part
-/// (another component of the mesh) become parts of their own. Cost: panels times stray panels.
+/// (another component of the mesh) become parts of their own. Cost: rows of M times stray panels.
 Labels connect_parts(const DualGraph& graph, const CarriedFoldability& foldability, Labels labels);
 
 }  // namespace foldwright

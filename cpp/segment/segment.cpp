@@ -2,14 +2,24 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "segment/connect_parts.h"
-#include "segment/merge.h"
+#include "segment/hinge_measures.h"
+#include "segment/smooth_borders.h"
 #include "segment/spectral.h"
 
 namespace foldwright {
 namespace {
+
+// The largest eigengap tells the number of parts best when distances count for more.
+constexpr ShapeCue kCueForCounting = {.power = 4, .falloff = 0.3};
+
+// Borders may move so far, in sides of a square as large as a panel that was learned on: finer than
+// that learning cannot place them.
+constexpr double kBorderReach = 1;
 
 std::vector<int> panels_of(const Labels& labels, int part) {
   std::vector<int> panels;
@@ -40,18 +50,42 @@ std::vector<int> rows_of(const CarriedFoldability& foldability, std::span<const 
   return rows;
 }
 
+std::vector<int> each_row(int count) {
+  std::vector<int> rows(count);
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
+}
+
+/// Halves of a connected graph: what is nearer to one of two panels far apart than to the other.
+/// Both are connected, because they hold the shortest ways to their panel.
+Labels halves_by_distance(const Mesh& mesh, const DualGraph& graph) {
+  const std::vector<double> lengths = hinge_distances(mesh, graph);
+  const auto farthest = [&](const std::vector<double>& distances) {
+    const auto it = std::max_element(distances.begin(), distances.end());
+    return static_cast<int>(it - distances.begin());
+  };
+  const int one = farthest(distances_from(graph, lengths, 0));
+  const std::vector<double> from_one = distances_from(graph, lengths, one);
+  const std::vector<double> from_other = distances_from(graph, lengths, farthest(from_one));
+  Labels halves;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    halves.push_back(from_other[panel] < from_one[panel]);
+  }
+  return halves;
+}
+
 }  // namespace
 
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
                const SegmentOptions& options) {
   assert(options.parts <= graph.panel_count());
-  if (options.segmenter == Segmenter::kMerge) {
-    return merge_clusters(mesh, graph, matrix, {.parts = options.parts});
-  }
-  Labels labels = spectral_clusters(matrix, {.parts = options.parts, .seed = options.seed});
-  std::vector<int> rows(graph.panel_count());
-  std::iota(rows.begin(), rows.end(), 0);
-  return connect_parts(graph, {matrix, rows}, std::move(labels));
+  const bool by_shape = options.segmenter == Segmenter::kShape;
+  const auto affinity = [&](const ShapeCue& cue) {
+    return by_shape ? shape_affinity(mesh, graph, matrix, cue) : foldability_affinity(matrix);
+  };
+  const int parts = options.parts > 0 ? options.parts : estimate_parts(affinity(kCueForCounting));
+  const Labels labels = spectral_clusters(affinity({}), {.parts = parts, .seed = options.seed});
+  return connect_parts(graph, {matrix, each_row(graph.panel_count())}, labels);
 }
 
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,
@@ -73,17 +107,30 @@ Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFolda
   return renumbered(carried);
 }
 
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panels, Labels labels) {
+  const double area = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
+  return smooth_borders(mesh, graph, std::move(labels),
+                        {.reach = kBorderReach * std::sqrt(area / learned_panels)});
+}
+
 Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
                     const CarriedFoldability& foldability) {
   assert(graph.panel_count() >= 2);
-  // Spectral bisection, because the last merge often sets a few outliers apart from all the rest.
-  const FoldabilityMatrix matrix = restrict_to(foldability.matrix, foldability.rows);
-  std::vector<int> rows(graph.panel_count());
-  std::iota(rows.begin(), rows.end(), 0);
-  const Labels halves =
-      connect_parts(graph, {matrix, rows}, spectral_clusters(matrix, {.parts = 2}));
-  if (part_count(halves) == 2) return halves;
-  return merge_clusters(mesh, graph, matrix, {.parts = 2});
+  // Clusters rows, not panels: there are never many, however fine the mesh.
+  std::vector<int> rows(foldability.rows.begin(), foldability.rows.end());
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  if (rows.size() > 1) {
+    const Labels on_rows = spectral_clusters(
+        foldability_affinity(restrict_to(foldability.matrix, rows)), {.parts = 2});
+    Labels halves;
+    for (const int row : foldability.rows) {
+      halves.push_back(on_rows[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()]);
+    }
+    halves = connect_parts(graph, foldability, std::move(halves));
+    if (part_count(halves) == 2) return halves;
+  }
+  return halves_by_distance(mesh, graph);
 }
 
 }  // namespace foldwright

@@ -5,17 +5,18 @@
 
 namespace foldwright {
 
-/// `kMerge`: normalised-cut merging of foldability and concave geodesic. `kSpectral`: the paper's
-/// own clustering, from foldability alone, made connected by Eq. (1).
-enum class Segmenter { kMerge, kSpectral };
+/// What panels are clustered by. `kShape`: foldability and a concave geodesic. `kFoldability`: the
+/// paper's own clustering, from foldability alone.
+enum class Segmenter { kShape, kFoldability };
 
 struct SegmentOptions {
-  Segmenter segmenter = Segmenter::kMerge;
+  Segmenter segmenter = Segmenter::kShape;
   int parts = 0;  ///< number of parts, at most the number of panels; 0 estimates it
   std::uint64_t seed = 1;
 };
 
-/// Connected parts of the graph that was learned on [paper, 4.2]. `matrix`: one row per panel.
+/// Connected parts of the graph that was learned on: spectral clusters, made connected by Eq. (1)
+/// [paper, 4.2]. `matrix`: one row per panel.
 /// \pre graph is connected
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
                const SegmentOptions& options = {});
@@ -25,6 +26,10 @@ Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix
 /// splitting the largest ones, until there are as many as among `labels`.
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,
                     const Labels& labels);
+
+/// Makes the borders of carried labels short and crease-following, within what learning on
+/// `learned_panels` panels leaves open: see `smooth_borders`. \pre parts are connected
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panels, Labels labels);
 
 /// Splits a connected graph into two connected parts. \pre at least two panels
 Labels split_in_two(const Mesh& mesh, const DualGraph& graph,

@@ -20,19 +20,8 @@ constexpr double kOrthogonal = 1e-6;
 // An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
 constexpr int kMostEstimatedParts = 20;
 
-double power_of(double base, int exponent) {
-  double result = 1;
-  for (int i = 0; i < exponent; ++i) result *= base;
-  return result;
-}
-
-/// D^-1/2 A D^-1/2 with A = M^power, elementwise.
-Eigen::MatrixXd normalized_affinity(const FoldabilityMatrix& matrix, int power) {
-  const int n = matrix.size;
-  Eigen::MatrixXd affinity(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) affinity(i, j) = power_of(matrix(i, j), power);
-  }
+/// D^-1/2 A D^-1/2.
+Eigen::MatrixXd normalized(const Affinity& affinity) {
   // The diagonal is one, so no row sum is zero.
   const Eigen::VectorXd scale = affinity.rowwise().sum().cwiseSqrt().cwiseInverse();
   return scale.asDiagonal() * affinity * scale.asDiagonal();
@@ -86,36 +75,36 @@ Eigenpairs leading_eigenpairs(const Eigen::MatrixXd& matrix, int count) {
   return pairs;
 }
 
-/// The k with the largest drop from the k-th to the next eigenvalue.
-int largest_gap(const Eigen::VectorXd& values) {
-  int best = 1;
-  for (int k = 2; k < values.size(); ++k) {
-    if (values[k - 1] - values[k] > values[best - 1] - values[best]) best = k;
-  }
-  return best;
-}
-
 }  // namespace
 
-Labels spectral_clusters(const FoldabilityMatrix& matrix, const SpectralOptions& options) {
-  const int n = matrix.size;
-  assert(n > 0 && 0 <= options.parts && options.parts <= n);
+Labels spectral_clusters(const Affinity& affinity, const SpectralOptions& options) {
+  const int n = static_cast<int>(affinity.rows());
+  assert(0 < options.parts && options.parts <= n);
   if (options.parts == 1 || n == 1) return Labels(n, 0);
   if (options.parts == n) {
     Labels each(n);
     for (int i = 0; i < n; ++i) each[i] = i;
     return each;
   }
-  const int wanted = options.parts > 0 ? options.parts : std::min(kMostEstimatedParts + 1, n);
-  const Eigenpairs pairs = leading_eigenpairs(normalized_affinity(matrix, options.power), wanted);
-  const int parts = options.parts > 0 ? options.parts : largest_gap(pairs.values);
-  Eigen::MatrixXd embedding = pairs.vectors.leftCols(parts);
+  Eigen::MatrixXd embedding = leading_eigenpairs(normalized(affinity), options.parts).vectors;
   for (int i = 0; i < n; ++i) {
     const double norm = embedding.row(i).norm();
     if (norm > 0) embedding.row(i) /= norm;
   }
   return renumbered(
-      k_means(embedding, parts, {.restarts = options.restarts, .seed = options.seed}));
+      k_means(embedding, options.parts, {.restarts = options.restarts, .seed = options.seed}));
+}
+
+int estimate_parts(const Affinity& affinity) {
+  const int n = static_cast<int>(affinity.rows());
+  const int most = std::min(kMostEstimatedParts, n - 1);
+  if (most < 1) return 1;
+  const Eigen::VectorXd values = leading_eigenpairs(normalized(affinity), most + 1).values;
+  int best = 1;
+  for (int k = 2; k <= most; ++k) {
+    if (values[k - 1] - values[k] > values[best - 1] - values[best]) best = k;
+  }
+  return best;
 }
 
 }  // namespace foldwright

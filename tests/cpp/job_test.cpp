@@ -147,7 +147,7 @@ TEST(Job, MakesNetsOfSmallMeshes) {
 
 TEST(Job, MakesNetsWithEverySegmenterAndSolver) {
   for (const Mesh& mesh : {star(), random_hull(1, 60)}) {
-    for (const Segmenter segmenter : {Segmenter::kMerge, Segmenter::kSpectral}) {
+    for (const Segmenter segmenter : {Segmenter::kShape, Segmenter::kFoldability}) {
       for (const Solver solver : {Solver::kTree, Solver::kGenetic}) {
         const JobOptions options = {
             .parts = 4, .segmenter = segmenter, .solver = solver, .runs = 40};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "mesh/nearest_face.h"
 #include "mesh/simplify.h"
@@ -13,7 +14,7 @@
 namespace foldwright::testing {
 namespace {
 
-constexpr Segmenter kBoth[] = {Segmenter::kMerge, Segmenter::kSpectral};
+constexpr Segmenter kBoth[] = {Segmenter::kShape, Segmenter::kFoldability};
 
 /// Per panel of `fine` the panel of `coarse` nearest to its first face.
 std::vector<int> rows_on(const Unfoldable& fine, const Unfoldable& coarse) {
@@ -45,10 +46,27 @@ TEST(Segment, MakesConnectedPartsWithBothSegmenters) {
   }
 }
 
-TEST(Segment, EstimatesTheTwoBallsOfADumbbell) {
+TEST(Segment, TellsTheBallsOfADumbbellApart) {
   const Unfoldable surface = unfoldable(dumbbell());
   const FoldabilityMatrix matrix = learn(surface, 100);
-  EXPECT_EQ(part_count(segment(surface.mesh, surface.graph, matrix)), 2);
+  for (const int parts : {0, 2}) {
+    SCOPED_TRACE(parts);
+    const Labels labels = segment(surface.mesh, surface.graph, matrix, {.parts = parts});
+    // The neck may be a part of its own when nobody says how many there are.
+    EXPECT_GE(part_count(labels), 2);
+    EXPECT_LE(part_count(labels), 3);
+    std::set<int> below, above;
+    for (int panel = 0; panel < surface.graph.panel_count(); ++panel) {
+      double height = 0;
+      for (const int v : surface.mesh.faces[surface.graph.panel_faces(panel)[0]]) {
+        height += surface.mesh.positions[v].z() / 3;
+      }
+      if (std::abs(height) > 0.5) (height < 0 ? below : above).insert(labels[panel]);
+    }
+    EXPECT_EQ(below.size(), 1u);
+    EXPECT_EQ(above.size(), 1u);
+    EXPECT_NE(below, above);
+  }
 }
 
 TEST(SplitInTwo, GivesTwoConnectedParts) {

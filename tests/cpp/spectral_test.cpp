@@ -11,7 +11,7 @@ namespace {
 
 /// Faces in blocks of the given sizes: within a block they unfold together nearly always, across
 /// blocks in the share `across` of all runs.
-FoldabilityMatrix blocks(const std::vector<int>& sizes, float across, std::uint64_t seed = 1) {
+Affinity blocks(const std::vector<int>& sizes, float across, std::uint64_t seed = 1) {
   Labels block;
   for (int b = 0; b < static_cast<int>(sizes.size()); ++b) block.insert(block.end(), sizes[b], b);
   const int n = static_cast<int>(block.size());
@@ -25,7 +25,7 @@ FoldabilityMatrix blocks(const std::vector<int>& sizes, float across, std::uint6
       matrix.values[i * n + j] = matrix.values[j * n + i] = value;
     }
   }
-  return matrix;
+  return foldability_affinity(matrix);
 }
 
 Labels block_labels(const std::vector<int>& sizes) {
@@ -54,31 +54,32 @@ TEST(SpectralClusters, TellUnlinkedBlobsApart) {
 
 TEST(SpectralClusters, EstimateTheNumber) {
   for (const auto& sizes : std::vector<std::vector<int>>{{20, 30}, {10, 20, 30}, {40, 40, 9, 25}}) {
-    EXPECT_EQ(spectral_clusters(blocks(sizes, 0.5f)), block_labels(sizes));
+    EXPECT_EQ(estimate_parts(blocks(sizes, 0.5f)), static_cast<int>(sizes.size()));
   }
 }
 
 TEST(SpectralClusters, CopeWithFacesThatAllUnfoldTogether) {
   for (const int size : {2, 23, 60, 300}) {
     SCOPED_TRACE(size);
-    const FoldabilityMatrix ones{size, std::vector<float>(size * size, 1)};
+    const Affinity ones = Affinity::Ones(size, size);
     EXPECT_LE(part_count(spectral_clusters(ones, {.parts = 2})), 2);
-    EXPECT_EQ(part_count(spectral_clusters(ones)), 1);
+    EXPECT_EQ(estimate_parts(ones), 1);
   }
 }
 
 TEST(SpectralClusters, OfOneAndOfAll) {
-  const FoldabilityMatrix matrix = blocks({6, 6}, 0.5f);
+  const Affinity matrix = blocks({6, 6}, 0.5f);
   EXPECT_EQ(spectral_clusters(matrix, {.parts = 1}), Labels(12, 0));
   Labels each(12);
   std::iota(each.begin(), each.end(), 0);
   EXPECT_EQ(spectral_clusters(matrix, {.parts = 12}), each);
   EXPECT_EQ(part_count(spectral_clusters(matrix, {.parts = 11})), 11);
-  EXPECT_EQ(spectral_clusters({1, {1}}), Labels{0});
+  EXPECT_EQ(spectral_clusters(Affinity::Ones(1, 1)), Labels{0});
+  EXPECT_EQ(estimate_parts(Affinity::Ones(1, 1)), 1);
 }
 
 TEST(SpectralClusters, DependOnTheSeedAlone) {
-  const FoldabilityMatrix matrix = blocks({50, 50, 50}, 0.8f);
+  const Affinity matrix = blocks({50, 50, 50}, 0.8f);
   EXPECT_EQ(spectral_clusters(matrix, {.parts = 9, .seed = 4}),
             spectral_clusters(matrix, {.parts = 9, .seed = 4}));
 }
