@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "paper/seams.h"
 
@@ -23,13 +24,13 @@ double rounded(double length) { return std::round(1e6 * length) / 1e6; }
 
 std::vector<int> gluing_order(std::span<const Net> nets) {
   const int count = static_cast<int>(nets.size());
-  std::vector<std::vector<double>> shared(count, std::vector<double>(count, 0));
+  std::vector<std::vector<std::pair<int, double>>> shared(count);  // other nets, lengths
   for (const Seam& seam : find_seams(nets)) {
     const int a = seam.sides[0].net;
     const int b = seam.sides[1].net;
     if (a == b) continue;
-    shared[a][b] += seam.sides[0].length();
-    shared[b][a] += seam.sides[0].length();
+    shared[a].emplace_back(b, seam.sides[0].length());
+    shared[b].emplace_back(a, seam.sides[0].length());
   }
   std::vector<double> areas, borders(count, 0);
   for (const Net& net : nets) areas.push_back(area_of(net));
@@ -44,7 +45,7 @@ std::vector<int> gluing_order(std::span<const Net> nets) {
     }
     joined[next] = 1;
     order.push_back(next);
-    for (int i = 0; i < count; ++i) borders[i] += shared[next][i];
+    for (const auto& [other, length] : shared[next]) borders[other] += length;
   }
   return order;
 }

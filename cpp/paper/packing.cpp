@@ -14,6 +14,13 @@ namespace {
 constexpr std::size_t kTight = 4;
 constexpr std::size_t kSpread = 12;
 
+// So many would take minutes in all orders and turns. They are taken in one order, each in the
+// smallest box and the same upside down.
+constexpr std::size_t kManyPieces = 50;
+
+// Sheets before the last so many count as full.
+constexpr std::size_t kOpenSheets = 20;
+
 /// A piece in one turn.
 struct Candidate {
   RigidMotion2 motion;
@@ -104,7 +111,7 @@ Packing pack_by(std::span<const Item> items, const Strategy& strategy, const Ext
   std::vector<SheetRaster> sheets;
   std::vector<double> used;
   for (const int i : strategy.order) {
-    for (std::size_t s = 0;; ++s) {
+    for (std::size_t s = std::max(sheets.size(), kOpenSheets) - kOpenSheets;; ++s) {
       if (s == sheets.size()) {
         sheets.emplace_back(room);
         used.push_back(0);
@@ -137,6 +144,7 @@ Packing pack(std::span<const Footprint> pieces, const Extent& room, double gap) 
   std::ranges::stable_sort(by_reach, std::greater{}, [&](int i) { return items[i].reach; });
   // Turning a piece freely ends it higher, but may spoil the room beside it.
   const std::size_t all = 2 * kTight + kSpread;
+  if (items.size() > kManyPieces) return pack_by(items, {by_reach, 2}, room, gap);
   const Strategy strategies[] = {
       {order, all}, {by_reach, all}, {order, 2 * kTight}, {by_reach, 2 * kTight}};
   const auto cost = [](const Packing& p) { return std::tuple(p.sheet_count, p.used_height); };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace foldwright {
 namespace {
@@ -86,7 +88,7 @@ std::optional<int> first_zero(const Bits& bits, int count) {
 }  // namespace
 
 PieceRaster rasterize(const std::vector<std::vector<Vec2>>& polygons, const Extent& box) {
-  PieceRaster raster{box, {}};
+  PieceRaster raster{box, {}, {}};
   const int rows = std::max(1, static_cast<int>(std::ceil(box.height / kCell - kRounding)));
   raster.rows.resize(rows);
   for (const std::vector<Vec2>& polygon : polygons) {
@@ -108,6 +110,13 @@ PieceRaster rasterize(const std::vector<std::vector<Vec2>>& polygons, const Exte
     }
   }
   for (auto& runs : raster.rows) merge(runs);
+  raster.widest_first.resize(rows);
+  std::iota(raster.widest_first.begin(), raster.widest_first.end(), 0);
+  std::ranges::stable_sort(raster.widest_first, std::greater{}, [&](int row) {
+    int width = 0;
+    for (const auto& run : raster.rows[row]) width += run.length;
+    return width;
+  });
   return raster;
 }
 
@@ -128,8 +137,8 @@ std::optional<CellPlace> SheetRaster::find(const PieceRaster& piece, int below) 
   Bits blocked(rows_[0].size()), a(blocked.size()), b(blocked.size());
   for (int y = 0; y < std::min(rows, below); ++y) {
     std::ranges::fill(blocked, 0);
-    for (std::size_t r = 0; r < piece.rows.size(); ++r) {
-      const std::size_t row = y + r;
+    for (const int r : piece.widest_first) {
+      const int row = y + r;
       if (is_empty_[row]) continue;
       for (const auto& run : piece.rows[r]) add_blocked(rows_[row], run, blocked, a, b);
       if (!first_zero(blocked, columns)) break;

@@ -18,6 +18,7 @@ struct PieceRaster {
   };
   Extent box;  ///< mm
   std::vector<std::vector<Run>> rows;
+  std::vector<int> widest_first;  ///< rows in the order in which they are likely to be in the way
 };
 
 /// The cells that convex polygons touch, whose box starts at (0, 0). Linear in the cells.
