@@ -13,9 +13,18 @@ export interface Label {
 // Capitals and digits of a sans-serif face.
 const capHeight = 0.72;
 
-/** Where a centred line of text begins to be written: the middle of its baseline. */
-export function baselineOf({ x, y, angle, size }: Label): [x: number, y: number] {
-  const drop = (size * capHeight) / 2;
+/**
+ * Cosine and sine of a text's angle, to a millionth: the functions' last digits differ between
+ * browsers, and files do not.
+ */
+export function directionOf({ angle }: Label): [cosine: number, sine: number] {
   const turn = (angle * Math.PI) / 180;
-  return [x + drop * Math.sin(turn), y - drop * Math.cos(turn)];
+  return [Math.round(1e6 * Math.cos(turn)) / 1e6, Math.round(1e6 * Math.sin(turn)) / 1e6];
+}
+
+/** Where a centred line of text begins to be written: the middle of its baseline. */
+export function baselineOf(label: Label): [x: number, y: number] {
+  const drop = (label.size * capHeight) / 2;
+  const [cosine, sine] = directionOf(label);
+  return [label.x + drop * sine, label.y - drop * cosine];
 }

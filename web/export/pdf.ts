@@ -1,6 +1,6 @@
 import {
   closePath,
-  degrees,
+  concatTransformationMatrix,
   lineTo,
   moveTo,
   PDFDocument,
@@ -20,7 +20,7 @@ import {
   type PDFPage,
 } from 'pdf-lib';
 import type { JobResult } from '../model/job.js';
-import { baselineOf, type Label } from './label.js';
+import { baselineOf, directionOf, type Label } from './label.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
 import type { Point } from './point.js';
 import { drawSheet, type DrawingOptions } from './sheet-drawing.js';
@@ -77,17 +77,20 @@ function encodable(text: string, font: PDFFont): string {
 
 function drawLabel(page: PDFPage, font: PDFFont, label: Label): void {
   const [x, y] = baselineOf(label);
+  const [cosine, sine] = directionOf(label);
   const size = label.size * scale;
-  const half = font.widthOfTextAtSize(label.text, size) / 2;
-  const turn = (label.angle * Math.PI) / 180;
+  page.pushOperators(
+    pushGraphicsState(),
+    concatTransformationMatrix(cosine, sine, -sine, cosine, x * scale, y * scale),
+  );
   page.drawText(label.text, {
-    x: x * scale - half * Math.cos(turn),
-    y: y * scale - half * Math.sin(turn),
+    x: -font.widthOfTextAtSize(label.text, size) / 2,
+    y: 0,
     size,
     font,
     color: colour(textColour),
-    rotate: degrees(label.angle),
   });
+  page.pushOperators(popGraphicsState());
 }
 
 /** A ruler along the lower margin, to be laid beside a real one after printing. */
