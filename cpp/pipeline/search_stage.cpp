@@ -27,6 +27,10 @@ constexpr int kAttemptsOfWhole = 12;
 // split, as published: border exchange belongs to the tree search.
 constexpr int kEvolutions = 4;
 
+// Panels above which no motion is looked for, unless it is required: the search for one takes
+// minutes with some thousands, and no person folds such a piece.
+constexpr int kMostToFold = 6000;
+
 // What a search under way counts for in the progress, against one that found its net.
 constexpr double kSearchShare = 0.7;
 
@@ -115,7 +119,7 @@ class SearchStage : public Stage {
 
  private:
   static bool wants_motion(const JobState& state, const Region& region) {
-    return state.options.folding != FoldingMode::kOff && !region.meets_itself;
+    return state.options.folding != FoldingMode::kOff && !region.meets_itself && !region.too_large;
   }
 
   /// Seeds that a region gets before it counts as having no net, or none that folds straight: such
@@ -133,6 +137,8 @@ class SearchStage : public Stage {
     if (state.options.folding != FoldingMode::kOff) {
       const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
       region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
+      region.too_large = state.options.folding == FoldingMode::kPrefer &&
+                         static_cast<int>(region.panels.size()) > kMostToFold;
     }
     const std::uint64_t key = key_of(region);
     queue_attempt(state, queue, {std::move(region), key, 0, {}, std::move(initial)});
@@ -181,7 +187,7 @@ class SearchStage : public Stage {
     const bool is_enough = best.motion.certified() || state.options.folding == FoldingMode::kOff;
     if (best.is_net() && is_enough) {
       settle(state, std::move(search), events);
-    } else if (best.is_net() && search.region.meets_itself) {
+    } else if (best.is_net() && !wants_motion(state, search.region)) {
       give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));

@@ -41,6 +41,8 @@ struct Region {
   std::vector<int> panels;  ///< of the component's graph, ascending
   /// Its faces meet in the model itself, so that no motion can be certified.
   bool meets_itself = false;
+  /// It has more panels than a motion is looked for of.
+  bool too_large = false;
 };
 
 /// A region and the fold tree that makes it a net.

@@ -17,13 +17,11 @@ struct TimedJob {
   std::map<StageId, double> seconds;
 };
 
-/// Runs a job on a model file, alone and on one thread.
-inline TimedJob run_timed(const std::filesystem::path& path, const JobOptions& options) {
+/// Runs a job on the bytes of a model file, alone and on one thread.
+inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
+                          const JobOptions& options) {
   using Clock = std::chrono::steady_clock;
-  const std::string bytes = bytes_of(path);
-  std::vector<std::byte> file(bytes.size());
-  std::memcpy(file.data(), bytes.data(), bytes.size());
-  Job job(std::move(file), path.filename().string(), options);
+  Job job(std::move(file), name, options);
   TimedJob timed;
   StageId stage = StageId::kRead;
   while (!job.finished()) {
@@ -36,6 +34,14 @@ inline TimedJob run_timed(const std::filesystem::path& path, const JobOptions& o
     timed.seconds[before] += std::chrono::duration<double>(Clock::now() - start).count();
   }
   return timed;
+}
+
+/// The same of a model file.
+inline TimedJob run_timed(const std::filesystem::path& path, const JobOptions& options) {
+  const std::string bytes = bytes_of(path);
+  std::vector<std::byte> file(bytes.size());
+  std::memcpy(file.data(), bytes.data(), bytes.size());
+  return run_timed(std::move(file), path.filename().string(), options);
 }
 
 }  // namespace foldwright::testing
