@@ -1,5 +1,5 @@
-// How time and memory grow with the number of faces: every stage of a job on one detailed model, simplified to each size
-// beforehand, in 12 parts, on one thread. `bench_growth [MOST_FACES]`
+// How time and memory grow with the number of faces: every stage of a job on one detailed model,
+// simplified to each size beforehand, in 12 parts, on one thread. `bench_growth [MOST_FACES]`
 
 #include <sys/resource.h>
 
@@ -51,8 +51,8 @@ void measure(const Mesh& full, int faces) {
   for (const auto& [stage, spent] : timed.seconds) total += spent;
   std::printf("%7d %7zu %8.2f %8.2f %8.2f %8.2f %8.2f %8.2f %8.0f\n", mesh.face_count(),
               timed.result->pieces.size(), seconds(StageId::kRead), seconds(StageId::kLearn),
-              seconds(StageId::kCluster), seconds(StageId::kSearch), seconds(StageId::kPaper), total,
-              peak_megabytes());
+              seconds(StageId::kCluster), seconds(StageId::kSearch), seconds(StageId::kPaper),
+              total, peak_megabytes());
   std::fflush(stdout);
 }
 
