@@ -2,6 +2,7 @@
 
 #include <emscripten/bind.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -29,8 +30,28 @@ constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver
 constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
                                                {"prefer", FoldingMode::kPrefer},
                                                {"require", FoldingMode::kRequire}};
-constexpr Name<Cause> kCauses[] = {
-    {"part", Cause::kPart}, {"no-net", Cause::kNoNet}, {"no-motion", Cause::kNoMotion}};
+constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
+                                   {"no-net", Cause::kNoNet},
+                                   {"no-motion", Cause::kNoMotion},
+                                   {"sheet", Cause::kSheet}};
+constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
+                                     {"height", Sizing::kHeight},
+                                     {"width", Sizing::kWidth},
+                                     {"scale", Sizing::kScale},
+                                     {"sheets", Sizing::kSheets}};
+constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
+                                         {"one", FlapSide::kOne},
+                                         {"alternate", FlapSide::kAlternate},
+                                         {"both", FlapSide::kBoth}};
+constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
+                                       {"inside", IdPlace::kInside},
+                                       {"flap", IdPlace::kFlap},
+                                       {"both", IdPlace::kBoth}};
+constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
+                                 {"mm", Unit::kMillimetre},
+                                 {"cm", Unit::kCentimetre},
+                                 {"m", Unit::kMetre},
+                                 {"in", Unit::kInch}};
 constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
                                        {"no", Folding::kNone},
                                        {"line", Folding::kLine},
@@ -142,6 +163,59 @@ val motion_value(const Piece& piece) {
   return object;
 }
 
+val flaps_value(const std::vector<Flap>& flaps) {
+  std::vector<int> edges;
+  std::vector<double> corners, angles;
+  for (const Flap& flap : flaps) {
+    edges.push_back(flap.edge);
+    for (const Vec2& p : flap.corners) corners.insert(corners.end(), {p.x(), p.y()});
+    angles.push_back(flap.angle * 180 / std::numbers::pi);
+  }
+  val object = val::object();
+  object.set("edges", ints(edges));
+  object.set("corners", doubles(corners));
+  object.set("angles", doubles(angles));
+  return object;
+}
+
+/// How many flaps there are, and why others are missing.
+val flap_counts_value(const JobResult& result) {
+  int misses[4] = {0, 0, 0, 0};
+  for (const MissedFlap& miss : result.missed_flaps) ++misses[static_cast<int>(miss.why)];
+  val missing = val::object();
+  missing.set("narrow", misses[static_cast<int>(FlapMiss::kNarrow)]);
+  missing.set("thin", misses[static_cast<int>(FlapMiss::kThin)]);
+  missing.set("blocked", misses[static_cast<int>(FlapMiss::kBlocked)]);
+  missing.set("short", misses[static_cast<int>(FlapMiss::kShort)]);
+  const FlapCounts& counts = result.flap_counts;
+  val object = val::object();
+  object.set("wanted", counts.wanted);
+  object.set("full", counts.full);
+  object.set("shrunk", counts.shrunk);
+  object.set("missing", missing);
+  object.set("wanted_mm", counts.wanted_length);
+  object.set("missing_mm", counts.missing_length);
+  return object;
+}
+
+/// Texts lie on the sheet as the piece does; angles in degrees.
+val label_value(const Label& label) {
+  val object = val::object();
+  object.set("text", label.text);
+  object.set("x", label.centre.x());
+  object.set("y", label.centre.y());
+  object.set("angle", label.angle * 180 / std::numbers::pi);
+  object.set("size", label.size);
+  return object;
+}
+
+val ids_value(const JobResult& result) {
+  val object = val::object();
+  object.set("printed", result.printed_ids);
+  object.set("skipped", ints(result.skipped_ids));
+  return object;
+}
+
 val piece_value(const Piece& piece, int id, const Placement& place) {
   const Net& net = piece.net;
   std::vector<double> vertices;
@@ -152,6 +226,9 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
     size = size.cwiseMax(p);
   }
   val object = val::object();
+  for (const Flap& flap : piece.flaps) {
+    for (const Vec2& p : flap.corners) size = size.cwiseMax(p);
+  }
   object.set("id", id);
   object.set("part", piece.part);
   object.set("cause", name_of<Cause>(kCauses, piece.cause));
@@ -165,6 +242,8 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("foldable", name_of<Folding>(kFoldings, piece.motion.kind));
   if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
+  object.set("flaps", flaps_value(piece.flaps));
+  object.set("labels", list(piece.labels, label_value));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
   object.set("y", place.y);
@@ -205,6 +284,8 @@ val result_value(const JobResult& result) {
   object.set("sheets", sheets_value(result.sheets));
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);
+  object.set("flaps", flap_counts_value(result));
+  object.set("ids", ids_value(result));
   object.set("search", search);
   object.set("notices", list(result.notices, notice_value));
   object.set("hash", result.hash);
@@ -322,6 +403,15 @@ JobOptions options_from(const val& object) {
   options.proxy = object["proxy"].as<int>();
   options.seed = object["seed"].as<std::uint32_t>();
   options.faces = object["faces"].as<int>();
+  options.size.by = from_name<Sizing>(kSizings, object["sizing"]);
+  options.size.value = object["size"].as<double>();
+  options.size.unit = from_name<Unit>(kUnits, object["unit"]);
+  options.ids = from_name<IdPlace>(kIdPlaces, object["ids"]);
+  options.flaps.side = from_name<FlapSide>(kFlapSides, object["flapSide"]);
+  FlapShape& flap = options.flaps.shape;
+  flap.height = object["flapHeight"].as<double>();
+  flap.least = std::min(flap.least, flap.height);
+  flap.angle = object["flapAngle"].as<double>() * std::numbers::pi / 180;
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, object["orientation"]);

@@ -1,6 +1,7 @@
 #include "pipeline/options.h"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "mesh/input_error.h"
@@ -10,6 +11,36 @@ namespace {
 
 void check(bool valid, const std::string& name, const std::string& range) {
   if (!valid) throw InputError("bad-option", name + " must be " + range);
+}
+
+void check_size(const SizeOptions& size) {
+  // A hundred metres, and a factor of a million from micrometres to metres: beyond are slips.
+  const auto is_within = [&](double most) {
+    return std::isfinite(size.value) && size.value > 0 && size.value <= most;
+  };
+  switch (size.by) {
+    case Sizing::kFit:
+      return;
+    case Sizing::kHeight:
+      return check(is_within(1e5), "height", "above 0 and at most 100000 mm");
+    case Sizing::kWidth:
+      return check(is_within(1e5), "width", "above 0 and at most 100000 mm");
+    case Sizing::kScale:
+      return check(is_within(1e6), "scale", "above 0 and at most 1000000");
+    case Sizing::kSheets:
+      return check(is_within(1000) && size.value == std::floor(size.value), "sheets",
+                   "a whole number from 1 to 1000");
+  }
+}
+
+void check_flaps(const FlapOptions& flaps) {
+  if (flaps.side == FlapSide::kNone) return;
+  // Higher ones than 50 mm would hide whole faces.
+  const double height = flaps.shape.height;
+  check(std::isfinite(height) && height >= 1 && height <= 50, "flaps", "from 1 to 50 mm");
+  // Steeper sides collide inside the model; flatter ones leave no flap on short edges.
+  const double angle = flaps.shape.angle * 180 / std::numbers::pi;
+  check(angle > 10 - 1e-9 && angle < 60 + 1e-9, "flap-angle", "from 10 to 60 degrees");
 }
 
 }  // namespace
@@ -22,6 +53,8 @@ void check_options(const JobOptions& options) {
   check(options.proxy >= 0, "proxy", "0 or more");
   // A closed surface has at least four faces.
   check(options.faces == 0 || options.faces >= 4, "faces", "at least 4");
+  check_size(options.size);
+  check_flaps(options.flaps);
   const SheetOptions& sheet = options.sheet;
   // Ten metres: wider than any roll, and far below what would lose precision.
   const auto is_length = [](double mm) { return std::isfinite(mm) && mm > 0 && mm <= 10000; };

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "fold/foldable.h"
+#include "paper/labels.h"
 #include "paper/sheets.h"
 #include "segment/segment.h"
 #include "unfold/heuristics.h"
@@ -15,6 +16,25 @@ enum class Solver { kTree, kGenetic };
 /// What becomes of nets without a folding motion: split until each has one, kept and reported, or
 /// not looked at.
 enum class FoldingMode { kOff, kPrefer, kRequire };
+
+/// Unit of the model's coordinates.
+enum class Unit { kGuess, kMillimetre, kCentimetre, kMetre, kInch };
+
+/// What decides how large the finished model is.
+enum class Sizing {
+  kFit,     ///< the largest piece just fits the sheet, and nothing is cut again
+  kHeight,  ///< extent along y in mm
+  kWidth,   ///< extent along x in mm
+  kScale,   ///< factor on the size that the model has in its unit
+  kSheets   ///< as large as goes on so many sheets
+};
+
+/// The size wished for. Pieces too large for the sheet are cut again, except with `kFit`.
+struct SizeOptions {
+  Sizing by = Sizing::kFit;
+  double value = 0;  ///< mm, a factor, or a number of sheets
+  Unit unit = Unit::kGuess;
+};
 
 /// What a job is asked for.
 struct JobOptions {
@@ -31,7 +51,10 @@ struct JobOptions {
   int proxy = 1000;
   std::uint32_t seed = 1;
   int faces = 0;  ///< simplify to this many triangles first; 0: keep all
+  SizeOptions size = {};
   SheetOptions sheet = {};
+  FlapOptions flaps = {};
+  IdPlace ids = IdPlace::kBoth;
 };
 
 /// \throw InputError that names the first option out of its range

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "paper/outline.h"
-#include "paper/sheets.h"
+#include "pipeline/model_size.h"
+#include "pipeline/paper_plan.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
@@ -45,19 +47,52 @@ PieceMotion make_motion(const DualGraph& graph, const FoundNet& found, const Net
   return motion;
 }
 
-Piece make_piece(const JobState& state, const FoundNet& found) {
+Mesh scaled(Mesh mesh, double factor) {
+  for (Vec3& p : mesh.positions) p *= factor;
+  return mesh;
+}
+
+/// `mesh`: the model in millimetres.
+Piece make_piece(const JobState& state, const Mesh& mesh, const FoundNet& found, Net net) {
   const DualGraph graph =
       restrict_to(state.components[found.region.component].graph, found.region.panels);
-  Piece piece{found.region.part,
-              found.region.cause,
-              make_net(state.surface->mesh, graph, found.folds),
-              {},
-              {},
-              {}};
+  Piece piece{.part = found.region.part, .cause = found.region.cause, .net = std::move(net)};
   piece.motion = make_motion(graph, found, piece.net);
-  piece.check = check_net(state.surface->mesh, piece.net);
+  piece.check = check_net(mesh, piece.net);
   piece.outlines = boundary_walks(piece.net);
   return piece;
+}
+
+const char* unit_name(Unit unit) {
+  switch (unit) {
+    case Unit::kCentimetre:
+      return "centimetres";
+    case Unit::kMetre:
+      return "metres";
+    case Unit::kInch:
+      return "inches";
+    default:
+      return "millimetres";
+  }
+}
+
+/// What a person should know about the size: a unit that was guessed, parts that were cut again.
+void add_size_notices(JobState& state) {
+  const SizeOptions& size = state.options.size;
+  const ModelUnit unit = model_unit(state.surface->mesh, size.unit);
+  if (size.by == Sizing::kScale && unit.guessed) {
+    state.notices.push_back({"unit-guessed", std::string("the model's unit is not known; ") +
+                                                 unit_name(unit.unit) + " were assumed"});
+  }
+  std::map<int, int> recut;  // pieces of each part that was too large
+  for (const Piece& piece : state.result.pieces) {
+    if (piece.cause == Cause::kSheet) ++recut[piece.part];
+  }
+  for (const auto& [part, count] : recut) {
+    state.notices.push_back({"sheet-split", "part " + std::to_string(part + 1) +
+                                                " is too large for the sheet and was cut into " +
+                                                std::to_string(count) + " pieces"});
+  }
 }
 
 /// Makes pieces of the nets, checks them by other means, and lays them on sheets.
@@ -68,13 +103,19 @@ class PaperStage : public Stage {
   void begin(JobState& state, TaskQueue&, Events& events) override {
     JobResult& result = state.result;
     result.segmentation = source_segmentation(state);
-    std::vector<Net> nets;
-    for (const FoundNet& found : state.nets) {
-      result.pieces.push_back(make_piece(state, found));
-      nets.push_back(std::move(result.pieces.back().net));
+    PaperPlan plan = plan_paper(state);
+    result.sheets = std::move(plan.sheets);
+    result.flap_counts = plan.flaps.counts;
+    result.printed_ids = plan.labels.printed;
+    result.skipped_ids = std::move(plan.labels.skipped);
+    result.missed_flaps = std::move(plan.flaps.missed);
+    const Mesh mesh = scaled(state.surface->mesh, result.sheets.scale);
+    for (std::size_t i = 0; i < plan.nets.size(); ++i) {
+      result.pieces.push_back(make_piece(state, mesh, plan.nets[i], std::move(plan.flat[i])));
+      result.pieces.back().flaps = std::move(plan.flaps.flaps[i]);
+      result.pieces.back().labels = std::move(plan.labels.labels[i]);
     }
-    result.sheets = lay_on_sheets(nets, state.options.sheet);
-    for (std::size_t i = 0; i < nets.size(); ++i) result.pieces[i].net = std::move(nets[i]);
+    add_size_notices(state);
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;

@@ -38,6 +38,16 @@ void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
     dump.add(edge.angle);
   }
   for (const Vec2& p : piece.net.vertices) dump.add(p);
+  for (const Flap& flap : piece.flaps) {
+    dump.add(flap.edge);
+    for (const Vec2& p : flap.corners) dump.add(p);
+  }
+  for (const Label& label : piece.labels) {
+    for (const char letter : label.text) dump.add(letter);
+    dump.add(label.centre);
+    dump.add(label.angle);
+    dump.add(label.size);
+  }
   dump.add(static_cast<int>(piece.motion.kind));
   dump.add(piece.motion.root);
   dump.add(piece.motion.times);

@@ -6,6 +6,7 @@
 
 #include "fold/motion.h"
 #include "mesh/repair.h"
+#include "paper/labels.h"
 #include "paper/sheets.h"
 #include "unfold/net.h"
 
@@ -18,8 +19,8 @@ struct Notice {
 };
 
 /// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that
-/// folds.
-enum class Cause { kPart, kNoNet, kNoMotion };
+/// folds, or none that fits the sheet.
+enum class Cause { kPart, kNoNet, kNoMotion, kSheet };
 
 /// The motion that folds a net up.
 struct PieceMotion {
@@ -33,7 +34,9 @@ struct PieceMotion {
 struct Piece {
   int part = 0;
   Cause cause = Cause::kPart;
-  Net net;  ///< millimetres; its box starts at (0, 0)
+  Net net;  ///< millimetres; with the flaps its box starts at (0, 0)
+  std::vector<Flap> flaps = {};
+  std::vector<Label> labels = {};
   NetCheck check;
   PieceMotion motion;
   std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
@@ -45,10 +48,14 @@ struct JobResult {
   std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
   std::vector<int> labels;        ///< per face of the mesh: its part
   int parts = 0;
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;  ///< in the order of gluing
   SheetLayout sheets;
-  std::int64_t moves = 0;  ///< of the tree searches
-  int generations = 0;     ///< of the genetic searches
+  FlapCounts flap_counts;
+  std::vector<MissedFlap> missed_flaps;
+  int printed_ids = 0;           ///< see `LabelPlan`
+  std::vector<int> skipped_ids;  ///< see `LabelPlan`
+  std::int64_t moves = 0;        ///< of the tree searches
+  int generations = 0;           ///< of the genetic searches
   std::vector<Notice> notices;
   std::string hash;  ///< of the canonical dump
 };

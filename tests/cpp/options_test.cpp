@@ -26,11 +26,19 @@ JobOptions with_sheet(const SheetOptions& sheet) {
   return options;
 }
 
+JobOptions with_size(Sizing by, double value) {
+  JobOptions options;
+  options.size = {by, value};
+  return options;
+}
+
 TEST(CheckOptions, TakesTheDefaultsAndTheEndsOfAllRanges) {
   EXPECT_EQ(refusal({}), "");
   EXPECT_EQ(refusal({.parts = 1, .runs = 1, .proxy = 0, .faces = 4}), "");
   EXPECT_EQ(refusal({.parts = 1000000, .runs = 65535, .faces = 1000000}), "");
   EXPECT_EQ(refusal(with_sheet({.width = 1, .height = 10000, .margin = 0})), "");
+  EXPECT_EQ(refusal(with_size(Sizing::kHeight, 150)), "");
+  EXPECT_EQ(refusal(with_size(Sizing::kSheets, 1)), "");
 }
 
 TEST(CheckOptions, NamesABadOption) {
@@ -51,6 +59,10 @@ TEST(CheckOptions, NamesABadOption) {
       {with_sheet({.margin = -1}), "margin"},
       {with_sheet({.margin = 105}), "margin"},
       {with_sheet({.margin = nan}), "margin"},
+      {with_size(Sizing::kHeight, 0), "height"},
+      {with_size(Sizing::kWidth, nan), "width"},
+      {with_size(Sizing::kScale, infinity), "scale"},
+      {with_size(Sizing::kSheets, 1.5), "sheets"},
   };
   for (const auto& [options, name] : cases) {
     EXPECT_EQ(refusal(options).find(name), 0u) << refusal(options);

@@ -45,6 +45,10 @@ TEST(CanonicalDump, ShowsEveryChangeOfTheOutcome) {
       [](JobResult& r) { r.pieces[0].net.edges[0].assignment = Assignment::kValley; },
       [](JobResult& r) { r.pieces[0].net.edges[0].angle += 1e-15; },
       [](JobResult& r) { r.pieces[0].net.vertices[7].y() += 1e-15; },
+      [](JobResult& r) { r.pieces[0].flaps.push_back({}); },
+      [](JobResult& r) {
+        r.pieces[0].labels.push_back({"A", Vec2(1, 2), 0, 3});
+      },
       [](JobResult& r) { r.pieces[0].motion.kind = Folding::kLine; },
       [](JobResult& r) { r.pieces[0].motion.root = 1; },
       [](JobResult& r) {

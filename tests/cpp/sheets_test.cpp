@@ -6,7 +6,9 @@
 
 #include "mesh/input_error.h"
 #include "meshes.h"
+#include "paper/rows.h"
 #include "trees.h"
+#include "unfold/net.h"
 
 namespace foldwright::testing {
 namespace {
@@ -45,6 +47,41 @@ double net_area(const Net& net) {
   return twice / 2;
 }
 
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (p - a - share * (b - a)).norm();
+}
+
+/// Least distance of the edges of two nets from each other, on their sheet.
+double distance(const Net& a, const Placement& at_a, const Net& b, const Placement& at_b) {
+  const Vec2 from_a_to_b(at_b.x - at_a.x, at_b.y - at_a.y);
+  double least = 1e300;
+  for (const NetEdge& e : a.edges) {
+    const Vec2 p = a.vertices[e.vertices[0]];
+    const Vec2 q = a.vertices[e.vertices[1]];
+    for (const NetEdge& f : b.edges) {
+      const Vec2 r = b.vertices[f.vertices[0]] + from_a_to_b;
+      const Vec2 s = b.vertices[f.vertices[1]] + from_a_to_b;
+      const bool cross_over = cross(q - p, r - p) * cross(q - p, s - p) < 0 &&
+                              cross(s - r, p - r) * cross(s - r, q - r) < 0;
+      if (cross_over) return 0;
+      least = std::min(
+          {least, distance(p, r, s), distance(q, r, s), distance(r, p, q), distance(s, p, q)});
+    }
+  }
+  return least;
+}
+
+bool is_inside(const Vec2& p, const Net& net) {
+  return std::ranges::any_of(net.corners, [&](const std::array<int, 3>& corners) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec2& a = net.vertices[corners[i]];
+      if (cross(net.vertices[corners[(i + 1) % 3]] - a, p - a) <= 0) return false;
+    }
+    return true;
+  });
+}
+
 void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLayout& layout,
                                      const SheetOptions& options) {
   ASSERT_EQ(layout.placements.size(), nets.size());
@@ -63,13 +100,41 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
     EXPECT_LE(box.max[1], layout.sheet_height - least);
     for (std::size_t j = 0; j < i; ++j) {
       if (layout.placements[i].sheet != layout.placements[j].sheet) continue;
-      Box2 other = placed(nets[j], layout.placements[j]);
-      const double gap = options.gap - 1e-6;
-      other = {other.min[0] - gap, other.min[1] - gap, other.max[0] + gap, other.max[1] + gap};
-      EXPECT_FALSE(box.meets(other)) << i << " and " << j;
+      const Placement& other = layout.placements[j];
+      EXPECT_GE(distance(nets[i], layout.placements[i], nets[j], other), options.gap - 1e-6)
+          << i << " and " << j;
+      const Vec2 shift(layout.placements[i].x - other.x, layout.placements[i].y - other.y);
+      EXPECT_FALSE(is_inside(nets[i].vertices[0] + shift, nets[j])) << i << " and " << j;
     }
   }
   EXPECT_EQ(std::ranges::count(used, 0), 0) << "an empty sheet";
+}
+
+Footprint footprint_of(const Net& net) {
+  Footprint print;
+  for (const auto& [a, b, c] : net.corners) {
+    print.polygons.push_back({net.vertices[a], net.vertices[b], net.vertices[c]});
+  }
+  print.face_area = net_area(net);
+  return print;
+}
+
+/// Scales nets so that the largest just fits, lays them out, and moves them as the layout says.
+SheetLayout fit_on_sheets(std::vector<Net>& nets, const SheetOptions& options = {}) {
+  std::vector<Footprint> prints;
+  for (const Net& net : nets) prints.push_back(footprint_of(net));
+  const double scale = fitting_scale(prints, options);
+  prints.clear();
+  for (Net& net : nets) {
+    for (Vec2& p : net.vertices) p *= scale;
+    prints.push_back(footprint_of(net));
+  }
+  SheetLayout layout = lay_on_sheets(prints, options);
+  layout.scale = scale;
+  for (std::size_t i = 0; i < nets.size(); ++i) {
+    for (Vec2& p : nets[i].vertices) p = layout.turns[i](p);
+  }
+  return layout;
 }
 
 std::vector<Net> random_nets(Random& random, int count) {
@@ -94,7 +159,7 @@ TEST(LayOnSheets, KeepsNetsWithinTheMarginsAndApart) {
     options.margin = 20 * random.uniform();
     options.gap = 10 * random.uniform();
     options.orientation = static_cast<Orientation>(random.below(3));
-    const SheetLayout layout = lay_on_sheets(nets, options);
+    const SheetLayout layout = fit_on_sheets(nets, options);
     expect_within_margins_and_apart(nets, layout, options);
     double area = 0;
     for (std::size_t i = 0; i < nets.size(); ++i) {
@@ -109,7 +174,7 @@ TEST(LayOnSheets, KeepsNetsWithinTheMarginsAndApart) {
 
 TEST(LayOnSheets, MakesTheLargestNetJustFit) {
   std::vector<Net> nets = {rectangle(1, 2), rectangle(0.5, 0.5)};
-  const SheetLayout layout = lay_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
+  const SheetLayout layout = fit_on_sheets(nets, {.width = 120, .height = 220, .margin = 10});
   EXPECT_NEAR(layout.scale, 100, 1e-6);
   const Box2 box = placed(nets[0], layout.placements[0]);
   EXPECT_NEAR(box.min[0], 10, 1e-6);
@@ -122,18 +187,18 @@ TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {
   const auto make_nets = [] { return std::vector<Net>{rectangle(1, 1.4), rectangle(1, 1.4)}; };
   // Two pieces of nearly the sheet's shape: on portrait each fills one sheet, and so on landscape.
   std::vector<Net> nets = make_nets();
-  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kPortrait}).sheet_width, 210);
+  EXPECT_EQ(fit_on_sheets(nets, {.orientation = Orientation::kPortrait}).sheet_width, 210);
   nets = make_nets();
-  EXPECT_EQ(lay_on_sheets(nets, {.orientation = Orientation::kLandscape}).sheet_width, 297);
+  EXPECT_EQ(fit_on_sheets(nets, {.orientation = Orientation::kLandscape}).sheet_width, 297);
   nets = make_nets();
-  const SheetLayout chosen = lay_on_sheets(nets);
+  const SheetLayout chosen = fit_on_sheets(nets);
   EXPECT_EQ(chosen.sheet_width, 210) << "portrait among equals";
   // A long and a short piece that go below each other on a wide sheet only.
   std::vector<Net> long_and_short = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
-  const SheetLayout wide = lay_on_sheets(long_and_short, {.margin = 5});
+  const SheetLayout wide = fit_on_sheets(long_and_short, {.margin = 5});
   std::vector<Net> again = {rectangle(2, 0.5), rectangle(1.2, 0.75)};
   const SheetLayout tall =
-      lay_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
+      fit_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
   EXPECT_LE(wide.sheet_count, tall.sheet_count);
 }
 
@@ -141,13 +206,39 @@ TEST(LayOnSheets, PutsSmallPiecesOnOneSheet) {
   std::vector<Net> nets = {rectangle(1, 1.5)};
   for (int i = 0; i < 4; ++i) nets.push_back(rectangle(0.01, 0.01));
   nets[0] = rectangle(1, 0.5);
-  EXPECT_EQ(lay_on_sheets(nets).sheet_count, 1);
+  EXPECT_EQ(fit_on_sheets(nets).sheet_count, 1);
+}
+
+TEST(LayOnSheets, NestsWhatBoxesCannot) {
+  // Two right triangles of nearly the sheet's size, which together make its rectangle.
+  Mesh mesh = make_mesh({{0, 0, 0}, {170, 0, 0}, {0, 260, 0}}, {{0, 1, 2}});
+  const Net triangle = make_net(mesh, build_dual_graph(mesh), {});
+  const std::vector<Footprint> prints(2, footprint_of(triangle));
+  const SheetLayout layout = lay_on_sheets(prints);
+  EXPECT_EQ(layout.sheet_count, 1);
+}
+
+TEST(LayOnSheets, TakesNoMoreSheetsThanRowsOfBoxes) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    std::vector<Extent> boxes;
+    std::vector<Footprint> prints;
+    for (int i = 0; i < 12; ++i) {
+      const double width = 20 + 170 * random.uniform();
+      const double height = 20 + 170 * random.uniform();
+      boxes.push_back({width, height});
+      prints.push_back({{{{0, 0}, {width, 0}, {width, height}, {0, height}}}, width * height});
+    }
+    const SheetOptions options = {.orientation = Orientation::kPortrait};
+    const int rows = lay_in_rows(boxes, printable(options), options.gap).sheet_count;
+    EXPECT_LE(lay_on_sheets(prints, options).sheet_count, rows) << seed;
+  }
 }
 
 TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {
   std::vector<Net> nets = {rectangle(1, 1)};
   try {
-    lay_on_sheets(nets, {.width = 100, .height = 200, .margin = 50});
+    fit_on_sheets(nets, {.width = 100, .height = 200, .margin = 50});
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_EQ(error.code(), "bad-margin");

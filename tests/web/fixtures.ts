@@ -1,5 +1,6 @@
 /** Small models with known nets, laid flat here so that exporters can be tested without the engine. */
-import type { JobResult, Model, Piece } from '../../web/model/job.js';
+import type { FlapCounts, JobResult, Model, Piece } from '../../web/model/job.js';
+import { pieceLetter } from '../../web/model/piece-letter.js';
 
 type Point = [number, number];
 
@@ -167,11 +168,22 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     },
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
+    flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
+    labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
     sheet: 0,
     x: 10,
     y: 10,
   };
 }
+
+const noFlaps: FlapCounts = {
+  wanted: 0,
+  full: 0,
+  shrunk: 0,
+  missing: { narrow: 0, thin: 0, blocked: 0, short: 0 },
+  wanted_mm: 0,
+  missing_mm: 0,
+};
 
 /** A finished job whose pieces lie on A4 sheets, one piece a sheet. */
 export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
@@ -190,10 +202,18 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     segmentation: labels.slice(),
     labels,
     parts: pieces.length,
-    pieces: pieces.map((piece, i) => ({ ...piece, id: i, part: i, sheet: i })),
+    pieces: pieces.map((piece, i) => ({
+      ...piece,
+      id: i,
+      part: i,
+      sheet: i,
+      labels: piece.labels.map((label) => ({ ...label, text: pieceLetter(i) })),
+    })),
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
     efficiency: 0.25,
     scale: 1,
+    flaps: noFlaps,
+    ids: { printed: 0, skipped: Int32Array.of(3) },
     search: { generations: 0, moves: 0 },
     notices: [],
     hash: '0123456789abcdef',
@@ -343,6 +363,31 @@ export function tetrahedronResult(): JobResult {
     [0, 3],
   ];
   return makeResult(tetrahedron, [layPiece(tetrahedron, 0, star)]);
+}
+
+/** The slit sheet with a flap on the first edge of its outline: half as wide as the edge, at its end. */
+export function flapResult(): JobResult {
+  const result = slitResult();
+  const [piece] = result.pieces;
+  const outline = piece!.outlines[0]!;
+  const edge = piece!.modelEdges.findIndex(
+    (_, e) => piece!.assignments[e] === 'B' && piece!.edges[2 * e] === outline[0],
+  );
+  const at = (vertex: number): Point => [
+    piece!.vertices[2 * vertex]!,
+    piece!.vertices[2 * vertex + 1]!,
+  ];
+  const [from, to] = [at(piece!.edges[2 * edge]!), at(piece!.edges[2 * edge + 1]!)];
+  const on = (along: number, out: number): Point => [
+    from[0] + along * (to[0] - from[0]) + out * (to[1] - from[1]),
+    from[1] + along * (to[1] - from[1]) - out * (to[0] - from[0]),
+  ];
+  piece!.flaps = {
+    edges: Int32Array.of(edge),
+    corners: Float64Array.from([on(0.5, 0), on(0.6, 0.1), on(0.9, 0.1), on(1, 0)].flat()),
+    angles: Float64Array.of(90),
+  };
+  return result;
 }
 
 /** Eight triangles around a point with more than 360 degrees: as a fan they overlap. */

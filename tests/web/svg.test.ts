@@ -2,7 +2,7 @@ import { XMLParser } from 'fast-xml-parser';
 import { describe, expect, it } from 'vitest';
 import { writeSvg } from '../../web/export/svg.js';
 import type { JobResult } from '../../web/model/job.js';
-import { boxAndLidResult, cubeResult, slitResult, tetrahedronResult } from './fixtures.js';
+import { boxAndLidResult, cubeResult, flapResult, slitResult } from './fixtures.js';
 import { expectGolden } from './golden.js';
 
 interface Path {
@@ -15,7 +15,7 @@ interface Path {
 interface Group {
   id: string;
   path?: Path[];
-  text?: { '#text': string; x: string; y: string; 'font-size': string }[];
+  text?: { '#text': string; x: string; y: string; 'font-size': string; transform?: string }[];
 }
 
 interface Drawing {
@@ -125,16 +125,37 @@ describe('writeSvg', () => {
     expect(valley['stroke-dasharray']!.split(' ')).toHaveLength(4);
   });
 
+  it('walks around flaps, and folds them at their bases', () => {
+    const bare = parse(writeSvg(slitResult(), 0));
+    const drawing = parse(writeSvg(flapResult(), 0));
+    const without = walks(bare, 'cut')[0]!;
+    const around = walks(drawing, 'cut')[0]!;
+    // Foot and two corners; the other foot is the end of the edge.
+    expect(around).toHaveLength(without.length + 3);
+    expect(Math.abs(areaOf(around)) - Math.abs(areaOf(without))).toBeGreaterThan(0);
+    const folds = walks(drawing, 'fold-valley');
+    expect(folds).toHaveLength(walks(bare, 'fold-valley').length + 1);
+    const [foot, end] = folds.at(-1)!;
+    expect(around).toContainEqual(foot);
+    expect(around).toContainEqual(end);
+  });
+
   it('names each piece inside one of its faces', () => {
     const [box, lid] = allSheets(boxAndLidResult());
     expect(groupOf(box!, 'id').text!.map((label) => label['#text'])).toEqual(['A']);
     expect(groupOf(lid!, 'id').text!.map((label) => label['#text'])).toEqual(['B']);
   });
 
-  it('leaves the name out where no face has room for it', () => {
-    const small = tetrahedronResult();
-    for (const piece of small.pieces) piece.vertices = piece.vertices.map((value) => value / 20);
-    expect(groupOf(parse(writeSvg(small, 0)), 'id').text).toBeUndefined();
+  it('turns an id about its own place', () => {
+    const result = slitResult();
+    result.pieces[0]!.labels.push({ text: 'C:17', x: 20, y: 30, angle: 30, size: 2 });
+    const [, id] = groupOf(parse(writeSvg(result, 0)), 'id').text!;
+    expect(id!['#text']).toBe('C:17');
+    const [angle, x, y] = id!.transform!.match(/-?[\d.]+/g)!.map(Number);
+    expect([angle, x, y]).toEqual([-30, Number(id!.x), Number(id!.y)]);
+    // Down from the middle by half a capital's height, across the baseline.
+    expect(Number(id!.x)).toBeCloseTo(30 + 0.72 * 0.5, 3);
+    expect(297 - Number(id!.y)).toBeCloseTo(40 - 0.72 * Math.cos(Math.PI / 6), 3);
   });
 
   it('keeps the format of the files', () => {

@@ -2,7 +2,9 @@ import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
 import { paperSizes, type PaperSize } from '../model/paper.js';
 import { find, make } from './dom.js';
+import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
+import { SizeFields } from './size-fields.js';
 
 /** What the form asks for. */
 export interface Wishes {
@@ -30,6 +32,8 @@ export class OptionsForm {
   private readonly margin = find('#margin', HTMLInputElement);
   private readonly button = find('#unfold', HTMLButtonElement);
   private readonly more = new MoreOptions();
+  private readonly size = new SizeFields();
+  private readonly flaps = new FlapFields();
 
   constructor(onSubmit: () => void) {
     const papers = paperSizes.map((size) =>
@@ -80,6 +84,8 @@ export class OptionsForm {
       // For whatever has no field here.
       ...defaultOptions,
       ...this.more.read(),
+      ...this.size.read(),
+      ...this.flaps.read(),
       parts: this.parts.value === '' ? defaultOptions.parts : this.parts.valueAsNumber,
       paperWidth: paper.width,
       paperHeight: paper.height,

@@ -53,10 +53,33 @@ function duration(seconds: number): string {
   return `${Math.floor(seconds / 60)} min ${Math.floor(seconds % 60)} s`;
 }
 
+/** Width and height of the piece with the smallest box, and its letter. */
+function smallestPiece({ pieces }: JobResult): string {
+  const [smallest] = [...pieces].sort((a, b) => a.width * a.height - b.width * b.height);
+  const { id, width, height } = smallest!;
+  return `${pieceLetter(id)}, ${Math.round(width)} × ${Math.round(height)} mm`;
+}
+
+/** How many seams have a flap. */
+function flapWords({ flaps: { wanted, full, shrunk } }: JobResult): string {
+  if (wanted === 0) return 'none';
+  const words = `on ${full + shrunk} of ${count(wanted, 'seam')}`;
+  return shrunk === 0 ? words : `${words}, ${shrunk} of them narrow`;
+}
+
+/** How many seams have their number at both sides. */
+function idWords({ ids: { printed, skipped } }: JobResult): string {
+  const all = printed + skipped.length;
+  return all === 0 ? 'none' : `on ${printed} of ${count(all, 'seam')}`;
+}
+
 /** The figures worth knowing before printing. */
 export function resultFacts(result: TimedResult): Fact[] {
   return [
     ['Finished size', finishedSize(result.model)],
+    ['Smallest piece', smallestPiece(result)],
+    ['Flaps', flapWords(result)],
+    ['Edge numbers', idWords(result)],
     ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
     ['Paper used', `${Math.round(100 * result.efficiency)} %`],
     ['Triangles', String(result.model.faces.length / 3)],

@@ -1,7 +1,7 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
 import { exitStatus, Exit, usageError } from './exit.js';
-import { laterRows, rows, type Row, type Settings } from './options.js';
+import { laterRows, rows, sizings, type Row, type Settings } from './options.js';
 import { BadValue } from './values.js';
 
 /** What a command line asks for. */
@@ -83,6 +83,10 @@ function settingsOf(program: Command): Settings {
   const { margin, paper } = settings;
   if (2 * margin >= paper.width) {
     throw usageError(`option '--margin': ${margin} mm leave nothing of ${paper.name} paper`);
+  }
+  const given = sizings.filter((name) => settings[name] !== 'none');
+  if (given.length > 1) {
+    throw usageError(`option '--${given[1]}': the size is given by '--${given[0]}' already`);
   }
   return settings;
 }

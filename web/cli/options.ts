@@ -66,6 +66,26 @@ export const rows = {
     decimal(0.0001, 0.2),
     'how far apart faces stay while folding, in mean edge lengths',
   ),
+  height: row(
+    'MM|none',
+    'none',
+    wordOr('none', decimal(1, 100_000)),
+    'finished height (along y); pieces too large for the sheet are cut again',
+  ),
+  width: row('MM|none', 'none', wordOr('none', decimal(1, 100_000)), 'finished width (along x)'),
+  scale: row(
+    'F|none',
+    'none',
+    wordOr('none', decimal(0.000001, 1_000_000)),
+    'finished size as a factor on the size in the model’s unit',
+  ),
+  sheets: row('N|none', 'none', wordOr('none', whole(1, 1000)), 'as large as goes on N sheets'),
+  unit: row(
+    'NAME|guess',
+    'guess',
+    choice(['guess', 'mm', 'cm', 'm', 'in']),
+    'unit of the model: mm, cm, m or in',
+  ),
   paper: row('SIZE', 'A4', paper, 'A2 to A5, Letter, Legal, Tabloid, 12x12in, or WxH in mm'),
   orientation: row(
     'NAME',
@@ -74,6 +94,30 @@ export const rows = {
     'auto, portrait or landscape',
   ),
   margin: row('MM', defaultOptions.margin, decimal(0, 1000), 'margin that stays free'),
+  flaps: row(
+    'MM|none',
+    defaultOptions.flapHeight,
+    wordOr('none', decimal(1, 50)),
+    'height of flaps; lower ones where there is no room',
+  ),
+  'flap-angle': row(
+    'DEG',
+    defaultOptions.flapAngle,
+    decimal(10, 60),
+    'angle of their sides at the base, at most',
+  ),
+  'flap-side': row(
+    'NAME',
+    'one',
+    choice(['one', 'alternate', 'both']),
+    'one: the side with more room; alternate: in turn; both',
+  ),
+  ids: row(
+    'NAME',
+    defaultOptions.ids,
+    choice(['inside', 'flap', 'both', 'none']),
+    'where the numbers of cut edges go: inside, flap, both or none',
+  ),
   workers: row(
     'N|auto',
     'auto',
@@ -96,15 +140,6 @@ export interface LaterRow {
 }
 
 export const laterRows: Record<string, LaterRow> = {
-  height: { value: 'MM' },
-  width: { value: 'MM' },
-  scale: { value: 'F' },
-  sheets: { value: 'N' },
-  unit: { value: 'NAME' },
-  flaps: { value: 'MM|none', same: 'none' },
-  'flap-angle': { value: 'DEG' },
-  'flap-side': { value: 'NAME' },
-  ids: { value: 'NAME', same: 'none' },
   style: { value: 'NAME', same: 'foldwright' },
   texture: {},
   colour: { value: 'NAME', same: 'none' },
@@ -117,6 +152,28 @@ export const laterRows: Record<string, LaterRow> = {
 /** The settings as a person would write them, by the names of the options. */
 export function echo(settings: Settings): Record<string, unknown> {
   return { ...settings, paper: settings.paper.name };
+}
+
+/** The options of which at most one may be given. */
+export const sizings = ['height', 'width', 'scale', 'sheets'] as const;
+
+function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
+  for (const sizing of sizings) {
+    const size = settings[sizing];
+    if (size !== 'none') return { sizing, size };
+  }
+  return { sizing: 'fit', size: 0 };
+}
+
+function flapOptions(
+  settings: Settings,
+): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle'> {
+  const { flaps } = settings;
+  return {
+    flapSide: flaps === 'none' ? 'none' : settings['flap-side'],
+    flapHeight: flaps === 'none' ? defaultOptions.flapHeight : flaps,
+    flapAngle: settings['flap-angle'],
+  };
 }
 
 /** What the engine is asked for. */
@@ -134,6 +191,10 @@ export function jobOptions(settings: Settings): JobOptions {
     proxy,
     seed,
     faces: faces === 'off' ? 0 : faces,
+    ...sizeOptions(settings),
+    ...flapOptions(settings),
+    ids: settings.ids,
+    unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,
     orientation: settings.orientation,

@@ -1,5 +1,6 @@
 import {
   closePath,
+  concatTransformationMatrix,
   lineTo,
   moveTo,
   PDFDocument,
@@ -19,7 +20,7 @@ import {
   type PDFPage,
 } from 'pdf-lib';
 import type { JobResult } from '../model/job.js';
-import { baselineDrop, type Label } from './label-place.js';
+import { baselineOf, directionOf, type Label } from './label.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
 import type { Point } from './point.js';
 import { drawSheet, type DrawingOptions } from './sheet-drawing.js';
@@ -74,14 +75,22 @@ function encodable(text: string, font: PDFFont): string {
   return [...text].map((letter) => (known.has(letter.codePointAt(0)!) ? letter : '?')).join('');
 }
 
-function drawLabel(page: PDFPage, font: PDFFont, { text, x, y, size }: Label): void {
-  page.drawText(text, {
-    x: x * scale - font.widthOfTextAtSize(text, size * scale) / 2,
-    y: (y - baselineDrop(size)) * scale,
-    size: size * scale,
+function drawLabel(page: PDFPage, font: PDFFont, label: Label): void {
+  const [x, y] = baselineOf(label);
+  const [cosine, sine] = directionOf(label);
+  const size = label.size * scale;
+  page.pushOperators(
+    pushGraphicsState(),
+    concatTransformationMatrix(cosine, sine, -sine, cosine, x * scale, y * scale),
+  );
+  page.drawText(label.text, {
+    x: -font.widthOfTextAtSize(label.text, size) / 2,
+    y: 0,
+    size,
     font,
     color: colour(textColour),
   });
+  page.pushOperators(popGraphicsState());
 }
 
 /** A ruler along the lower margin, to be laid beside a real one after printing. */
@@ -141,7 +150,7 @@ export async function writePdf(result: JobResult, options: PdfOptions): Promise<
         ...lines('valley', piece.valleys, false),
         ...lines('cut', piece.cuts, true),
       );
-      if (piece.label) drawLabel(page, font, piece.label);
+      for (const label of piece.labels) drawLabel(page, font, label);
     }
     const count = result.sheets.length;
     const note = `${title} - sheet ${index + 1} of ${count} - print at 100 %`;

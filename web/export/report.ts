@@ -1,4 +1,12 @@
-import type { JobOptions, JobResult, Model, Notice, Piece, Repair } from '../model/job.js';
+import type {
+  FlapCounts,
+  JobOptions,
+  JobResult,
+  Model,
+  Notice,
+  Piece,
+  Repair,
+} from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** What a report is made of. */
@@ -40,12 +48,7 @@ export interface Report {
   size_mm: number[];
   sheets: number;
   efficiency: number;
-  flaps: {
-    wanted: number;
-    full: number;
-    shrunk: number;
-    missing: { narrow: number; thin: number; blocked: number; short: number };
-  };
+  flaps: FlapCounts;
   ids: { printed: number; skipped: number[] };
   notices: Notice[];
   seconds: StageSeconds;
@@ -78,7 +81,7 @@ function sizeOf({ vertices }: Model): number[] {
   return high.map((value, axis) => value - low[axis]!);
 }
 
-/** The report of a run. Flaps and edge ids are not made yet and are reported as none. */
+/** The report of a run. */
 export function makeReport(input: ReportInput): Report {
   const { job, result } = input;
   const { model } = result;
@@ -100,13 +103,8 @@ export function makeReport(input: ReportInput): Report {
     size_mm: sizeOf(model),
     sheets: result.sheets.length,
     efficiency: result.efficiency,
-    flaps: {
-      wanted: 0,
-      full: 0,
-      shrunk: 0,
-      missing: { narrow: 0, thin: 0, blocked: 0, short: 0 },
-    },
-    ids: { printed: 0, skipped: [] },
+    flaps: result.flaps,
+    ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
     notices: result.notices,
     seconds: input.seconds,
     search: result.search,

@@ -1,16 +1,17 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { pieceLetter } from '../model/piece-letter.js';
-import { placeLabel, type Label } from './label-place.js';
+import type { Label } from './label.js';
 import type { Point, Segment } from './point.js';
 
 /** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
 export interface PieceDrawing {
   letter: string;
-  /** Closed boundary walks; slits are walked there and back. */
+  /** Closed boundary walks around faces and flaps; slits are walked there and back. */
   cuts: Point[][];
   mountains: Segment[];
   valleys: Segment[];
-  label: Label | null;
+  /** Its name, and the ids of its cut edges. */
+  labels: Label[];
 }
 
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
@@ -25,28 +26,68 @@ export interface DrawingOptions {
   flatFold?: number;
 }
 
+type At = (vertex: number) => Point;
+
+/** Foot, top, top and foot of a flap. */
+function flapCorners(piece: Piece, flap: number): Point[] {
+  return Array.from({ length: 4 }, (_, i): Point => [
+    piece.x + piece.flaps.corners[8 * flap + 2 * i]!,
+    piece.y + piece.flaps.corners[8 * flap + 2 * i + 1]!,
+  ]);
+}
+
+function areSame([x, y]: Point, [u, v]: Point): boolean {
+  // A tenth of the last decimal that is written.
+  return Math.abs(x - u) < 1e-5 && Math.abs(y - v) < 1e-5;
+}
+
+/** The closed walks along the cuts, around the flaps. */
+function drawCuts(piece: Piece, at: At): Point[][] {
+  const flapAt = new Map<number, number>(); // by the vertex that its edge starts from
+  piece.flaps.edges.forEach((edge, flap) => flapAt.set(piece.edges[2 * edge]!, flap));
+  return piece.outlines.map((outline) => {
+    const walk: Point[] = [];
+    for (const vertex of outline) {
+      walk.push(at(vertex));
+      const flap = flapAt.get(vertex);
+      if (flap !== undefined) walk.push(...flapCorners(piece, flap));
+    }
+    return walk.filter((point, i) => !areSame(point, walk[(i + 1) % walk.length]!));
+  });
+}
+
+/** The folds of one sign: those between faces, and the bases of flaps. */
+function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): Segment[] {
+  const segments: Segment[] = [];
+  for (let edge = 0; edge < piece.assignments.length; ++edge) {
+    if (piece.assignments[edge] !== letter) continue;
+    if (Math.abs(piece.foldAngles[edge]!) < flatFold) continue;
+    segments.push([at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)]);
+  }
+  piece.flaps.angles.forEach((angle, flap) => {
+    // However flat: the line shows where the neighbour's edge comes to lie.
+    if ((angle > 0 ? 'V' : 'M') !== letter) return;
+    const [from, , , to] = flapCorners(piece, flap);
+    segments.push([from!, to!]);
+  });
+  return segments;
+}
+
 function drawPiece(piece: Piece, flatFold: number): PieceDrawing {
-  const point = (vertex: number): Point => [
+  const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
-  const folds = (letter: string): Segment[] => {
-    const segments: Segment[] = [];
-    for (let edge = 0; edge < piece.assignments.length; ++edge) {
-      if (piece.assignments[edge] !== letter) continue;
-      if (Math.abs(piece.foldAngles[edge]!) < flatFold) continue;
-      segments.push([point(piece.edges[2 * edge]!), point(piece.edges[2 * edge + 1]!)]);
-    }
-    return segments;
-  };
-  const letter = pieceLetter(piece.id);
-  const label = placeLabel(piece, letter);
   return {
-    letter,
-    cuts: piece.outlines.map((outline) => Array.from(outline, point)),
-    mountains: folds('M'),
-    valleys: folds('V'),
-    label: label && { ...label, x: label.x + piece.x, y: label.y + piece.y },
+    letter: pieceLetter(piece.id),
+    cuts: drawCuts(piece, at),
+    mountains: drawFolds(piece, 'M', flatFold, at),
+    valleys: drawFolds(piece, 'V', flatFold, at),
+    labels: piece.labels.map((label) => ({
+      ...label,
+      x: label.x + piece.x,
+      y: label.y + piece.y,
+    })),
   };
 }
 

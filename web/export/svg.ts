@@ -1,5 +1,5 @@
 import type { JobResult } from '../model/job.js';
-import { baselineDrop } from './label-place.js';
+import { baselineOf, type Label } from './label.js';
 import { lineStyles, textColour, type LineKind } from './line-style.js';
 import type { Point, Segment } from './point.js';
 import { drawSheet, type DrawingOptions, type SheetDrawing } from './sheet-drawing.js';
@@ -62,19 +62,27 @@ class SheetWriter {
     return pieces.flatMap((piece) => this.folds('valley', piece.letter, piece.valleys));
   }
 
-  labels(): string[] {
-    return this.drawing.pieces.flatMap(({ letter, label }) => {
-      if (!label) return [];
-      const place = attributes({
-        x: decimal(label.x),
-        y: decimal(this.drawing.height - label.y + baselineDrop(label.size)),
-        fill: textColour,
-        'font-family': 'Helvetica, Arial, sans-serif',
-        'font-size': label.size,
-        'text-anchor': 'middle',
-      });
-      return [`<text data-piece="${letter}" ${place}>${label.text}</text>`];
+  private label(letter: string, label: Label): string {
+    const [x, y] = baselineOf(label);
+    const [left, top] = [decimal(x), decimal(this.drawing.height - y)];
+    const turn = decimal(-label.angle);
+    const place = attributes({
+      x: left,
+      y: top,
+      fill: textColour,
+      'font-family': 'Helvetica, Arial, sans-serif',
+      'font-size': label.size,
+      'text-anchor': 'middle',
+      // About its own place, which stays where x and y say.
+      ...(turn !== '0' && { transform: `rotate(${turn} ${left} ${top})` }),
     });
+    return `<text data-piece="${letter}" ${place}>${label.text}</text>`;
+  }
+
+  labels(): string[] {
+    return this.drawing.pieces.flatMap(({ letter, labels }) =>
+      labels.map((label) => this.label(letter, label)),
+    );
   }
 }
 
@@ -84,7 +92,7 @@ function group(id: string, content: string[]): string {
 
 /**
  * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
- * in mm, no transforms, no style sheet. All groups are there, empty or not, in a fixed order, so
+ * in mm, no style sheet, and no transforms but the turn of a text about its own place. All groups are there, empty or not, in a fixed order, so
  * that cutting programs find the same layers in every file.
  */
 export function writeSvg(result: JobResult, sheet: number, options: DrawingOptions = {}): string {

@@ -8,6 +8,12 @@ export type Segmenter = 'merge' | 'spectral';
 export type Solver = 'tree' | 'genetic';
 export type FoldingMode = 'require' | 'prefer' | 'off';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
+/** What decides the finished size; 'fit': the largest piece just fits the sheet. */
+export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
+export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
+/** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
+export type IdPlace = 'none' | 'inside' | 'flap' | 'both';
+export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
 
 export interface JobOptions {
   /** Number of parts; 0 estimates it. */
@@ -27,6 +33,17 @@ export interface JobOptions {
   seed: number;
   /** Simplify to this many triangles first; 0: keep all. */
   faces: number;
+  sizing: Sizing;
+  /** Height (along y) or width (along x) in mm, a factor, or a number of sheets; not read by 'fit'. */
+  size: number;
+  /** Unit of the model, for the factor. */
+  unit: Unit;
+  /** On which side of a cut edge flaps go; 'one': the one with more room. */
+  flapSide: FlapSide;
+  flapHeight: number;
+  /** Of a flap's sides at its base, at most; degrees. */
+  flapAngle: number;
+  ids: IdPlace;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -67,17 +84,55 @@ export interface Motion {
   angles: Float64Array;
 }
 
+/** Flaps of a piece; like its vertices they are seen from the printed side. */
+export interface Flaps {
+  /** Per flap: the edge of the piece that it is attached to. */
+  edges: Int32Array;
+  /** 8 per flap: x and y of foot, top, top and foot, in the direction of the edge. */
+  corners: Float64Array;
+  /** Per flap: fold angle of its base in degrees, valley positive, mountain negative. */
+  angles: Float64Array;
+}
+
+/** A text on a piece: its name, or the id of a cut edge. */
+export interface PieceLabel {
+  text: string;
+  /** The middle of its box, as the vertices are. */
+  x: number;
+  y: number;
+  /** Of its baseline, counter-clockwise from the right, in (-90, 90] degrees. */
+  angle: number;
+  /** Of the font. */
+  size: number;
+}
+
+/** What came of the flaps of cut edges between two faces that are longer than 4 mm. */
+export interface FlapCounts {
+  wanted: number;
+  /** By the better side: of full height, and lower ones. */
+  full: number;
+  shrunk: number;
+  /** Why others are missing: wedge too narrow, neighbour too thin, blocked, edge too short. */
+  missing: { narrow: number; thin: number; blocked: number; short: number };
+  /** Length of the edges that want flaps, and of those without. */
+  wanted_mm: number;
+  missing_mm: number;
+}
+
 /** One net on paper. */
 export interface Piece {
   id: number;
   part: number;
-  /** Why the piece exists: it is a whole part, or a share of a part without a net, or a motion. */
-  cause: 'part' | 'no-net' | 'no-motion';
+  /**
+   * Why the piece exists: it is a whole part, or a share of a part without a net, or a motion, or
+   * of one too large for the sheet.
+   */
+  cause: 'part' | 'no-net' | 'no-motion' | 'sheet';
   /** Overlapping face pairs found by the independent check; 0 in every finished net. */
   overlaps: number;
   width: number;
   height: number;
-  /** 2 per vertex, y up; the bounding box starts at (0, 0). */
+  /** 2 per vertex, y up; the bounding box, flaps included, starts at (0, 0). */
   vertices: Float64Array;
   /** 3 per face, counter-clockwise from the printed side, corner by corner those of its source. */
   faces: Int32Array;
@@ -98,6 +153,9 @@ export interface Piece {
   /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
    * walked there and back. */
   outlines: Int32Array[];
+  flaps: Flaps;
+  /** No text touches a line, or another text. */
+  labels: PieceLabel[];
   /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
   sheet: number;
   x: number;
@@ -117,12 +175,16 @@ export interface JobResult {
   /** Per face of the repaired model: its part. */
   labels: Int32Array;
   parts: number;
+  /** In the order of gluing. */
   pieces: Piece[];
   sheets: Sheet[];
   /** Area of the faces over the area of the sheets. */
   efficiency: number;
   /** Millimetres per unit of the model. */
   scale: number;
+  flaps: FlapCounts;
+  /** Cut edges with their id at both sides, and ids that are unreadable at one at least. */
+  ids: { printed: number; skipped: Int32Array };
   search: { generations: number; moves: number };
   notices: Notice[];
   /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */

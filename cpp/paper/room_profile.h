@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/vec.h"
+
+namespace foldwright {
+
+/// How flaps may look; millimetres and radians.
+struct FlapShape {
+  double height = 5;                  ///< of a full flap
+  double least = 2;                   ///< narrower ones hold no glue; at most `height`
+  double angle = 1.0471975511965976;  ///< of the sides at the base, at most; 60 degrees
+};
+
+/// A flap over its base from (0, 0) to (length, 0), with feet at x = `foot[0]` and `foot[1]` and a
+/// top from `top[0]` to `top[1]` at y = `height`.
+struct Trapezoid {
+  double height;
+  double foot[2], top[2];
+};
+
+/// The room above the base of a flap: per bin of equal width the height up to which it is free.
+struct RoomProfile {
+  double length;  ///< of the base
+  std::vector<double> room;
+
+  double bin() const { return length / static_cast<double>(room.size()); }
+};
+
+/// A profile of a base that has room of height `most` everywhere.
+RoomProfile open_room(double length, double most);
+
+/// Lowers a profile below a convex polygon in the coordinates of the base, less a gap that keeps
+/// scissors and glue off. What lies below the base is not looked at. Linear in its corners and the
+/// bins.
+void lower_below(RoomProfile& profile, std::span<const Vec2> polygon);
+
+/// The highest flap, and of those the one with the longest top, that lies below the profile and
+/// within the triangle over the whole base with this apex; none if not even the least does. Its
+/// feet stand as far apart as the profile allows. Heights go down in steps of half a millimetre.
+std::optional<Trapezoid> best_flap(const RoomProfile& profile, const Vec2& apex,
+                                   const FlapShape& shape);
+
+/// The shortest edge on which the least flap stands.
+double shortest_base(const FlapShape& shape);
+
+}  // namespace foldwright

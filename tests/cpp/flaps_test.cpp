@@ -1,0 +1,171 @@
+#include "paper/flaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "geometry/convex2.h"
+#include "meshes.h"
+#include "search/tree_search.h"
+
+namespace foldwright::testing {
+namespace {
+
+double area_of(std::span<const Vec2> polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  }
+  return twice / 2;
+}
+
+/// Area of the intersection of two convex polygons, as fans of triangles.
+double shared_area(std::span<const Vec2> a, std::span<const Vec2> b) {
+  double area = 0;
+  for (std::size_t i = 1; i + 1 < a.size(); ++i) {
+    for (std::size_t j = 1; j + 1 < b.size(); ++j) {
+      const Triangle2 s = {a[0], a[i], a[i + 1]};
+      const Triangle2 t = {b[0], b[j], b[j + 1]};
+      if (area_of(s) > 1e-12 && area_of(t) > 1e-12) area += intersection_area(s, t);
+    }
+  }
+  return area;
+}
+
+/// A net of the whole mesh at a size of about `size` mm.
+Net net_of(const Mesh& mesh, double size) {
+  const DualGraph graph = build_dual_graph(mesh);
+  TreeSearch search(mesh, graph);
+  while (search.step(100000) == TreeSearch::State::kRunning) continue;
+  EXPECT_EQ(search.best_overlaps(), 0);
+  Net net = make_net(mesh, graph, search.best());
+  for (Vec2& p : net.vertices) p *= size / 2;
+  return net;
+}
+
+std::vector<Vec2> face_of(const Net& net, int face) {
+  const auto& [a, b, c] = net.corners[face];
+  return {net.vertices[a], net.vertices[b], net.vertices[c]};
+}
+
+/// Lengths of a flap's neighbour: the triangle into which the flap must fit.
+void expect_inside_neighbour(const Mesh& mesh, const Net& net, const Flap& flap, double size) {
+  const NetEdge& edge = net.edges[flap.edge];
+  const Vec2 a = net.vertices[edge.vertices[0]];
+  const Vec2 b = net.vertices[edge.vertices[1]];
+  // Of the two faces of the mesh edge, one has this side; the flap fits one of them at least.
+  bool fits_one = false;
+  for (const int face : mesh.edges[edge.mesh_edge].faces) {
+    const auto& ends = mesh.edges[edge.mesh_edge].vertices;
+    for (const int corner : mesh.faces[face]) {
+      if (corner == ends[0] || corner == ends[1]) continue;
+      for (const int start : {0, 1}) {
+        const Vec3 from = mesh.positions[ends[start]];
+        const Vec3 along = (mesh.positions[ends[1 - start]] - from).normalized();
+        const Vec3 off = mesh.positions[corner] - from;
+        const double x = along.dot(off) * size / 2;
+        const double y = (off - along.dot(off) * along).norm() * size / 2;
+        const Vec2 axis = (b - a).normalized();
+        const Vec2 apex = a + x * axis + y * Vec2(axis.y(), -axis.x());
+        bool inside = true;
+        for (const Vec2& p : flap.corners) {
+          inside = inside && cross(apex - a, p - a) > -1e-6 && cross(b - apex, p - apex) > -1e-6;
+        }
+        fits_one = fits_one || inside;
+      }
+    }
+  }
+  EXPECT_TRUE(fits_one) << "flap of edge " << flap.edge;
+}
+
+void expect_sound(const Mesh& mesh, const Net& net, const std::vector<Flap>& flaps, double size) {
+  for (std::size_t i = 0; i < flaps.size(); ++i) {
+    const auto& corners = flaps[i].corners;
+    const NetEdge& edge = net.edges[flaps[i].edge];
+    EXPECT_EQ(edge.assignment, Assignment::kCut);
+    EXPECT_GT(area_of(corners), 0);
+    EXPECT_DOUBLE_EQ(flaps[i].angle, fold_angle(mesh, edge.mesh_edge));
+    expect_inside_neighbour(mesh, net, flaps[i], size);
+    for (int face = 0; face < static_cast<int>(net.corners.size()); ++face) {
+      EXPECT_LT(shared_area(corners, face_of(net, face)), 1e-4);
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_LT(shared_area(corners, flaps[j].corners), 1e-4);
+    }
+  }
+}
+
+TEST(PlaceFlaps, OverlapsNothingAndHidesBehindTheNeighbour) {
+  for (const int faces : {60, 200, 600}) {
+    for (const double size : {40.0, 150.0}) {
+      SCOPED_TRACE(::testing::Message() << faces << " faces, " << size << " mm");
+      const Mesh mesh = bumpy_sphere(faces);
+      const std::vector<Net> nets = {net_of(mesh, size)};
+      for (const FlapSide side : {FlapSide::kOne, FlapSide::kAlternate, FlapSide::kBoth}) {
+        const FlapPlan plan = place_flaps(mesh, nets, {side, {}});
+        expect_sound(mesh, nets[0], plan.flaps[0], size);
+        const FlapCounts& counts = plan.counts;
+        EXPECT_EQ(counts.full + counts.shrunk + static_cast<int>(plan.missed.size()),
+                  counts.wanted);
+      }
+    }
+  }
+}
+
+TEST(PlaceFlaps, GivesEachSeamOneFlapOrTwo) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  for (const FlapSide side : {FlapSide::kOne, FlapSide::kAlternate, FlapSide::kBoth}) {
+    const FlapPlan plan = place_flaps(mesh, nets, {side, {}});
+    std::map<int, int> flaps;  // by mesh edge
+    for (const Flap& flap : plan.flaps[0]) ++flaps[nets[0].edges[flap.edge].mesh_edge];
+    EXPECT_EQ(flaps.size(), 7u) << "the seams of a cube's net";
+    EXPECT_EQ(plan.counts.full, 7);
+    for (const auto& [edge, count] : flaps) {
+      EXPECT_EQ(count, side == FlapSide::kBoth ? 2 : 1);
+    }
+  }
+  EXPECT_TRUE(place_flaps(mesh, nets, {FlapSide::kNone, {}}).flaps[0].empty());
+}
+
+TEST(PlaceFlaps, TellsWhyThereIsNone) {
+  // Each face is 1.5 mm thin across its long edges.
+  const Mesh thin = accordion({1, 1, 1});
+  const std::vector<Net> strip = {net_of(thin, 3)};
+  EXPECT_EQ(place_flaps(thin, strip, {}).counts.wanted, 0) << "borders need none";
+  const Mesh sphere = bumpy_sphere(600);
+  const std::vector<Net> small = {net_of(sphere, 60)};
+  const FlapPlan plan = place_flaps(sphere, small, {});
+  EXPECT_GT(plan.missed.size(), 0u);
+  EXPECT_NEAR(plan.counts.missing_length / plan.counts.wanted_length,
+              static_cast<double>(plan.missed.size()) / plan.counts.wanted, 0.15);
+  for (const MissedFlap& miss : plan.missed) EXPECT_NE(miss.why, FlapMiss::kShort);
+  const FlapPlan flat = place_flaps(sphere, small, {FlapSide::kOne, {.angle = 0.3}});
+  EXPECT_EQ(flat.missed.front().why, FlapMiss::kShort) << "sides of 17 degrees need 13 mm";
+}
+
+TEST(PlaceFlaps, KeepsOffWhereItIsTold) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  const Box2 box = box_of(nets[0].vertices);
+  const auto [x0, y0] = box.min;
+  const auto [x1, y1] = box.max;
+  const double far = 20;
+  const std::vector<std::vector<std::vector<Vec2>>> around = {
+      {{{x0 - far, y0 - far}, {x0, y0 - far}, {x0, y1 + far}, {x0 - far, y1 + far}},
+       {{x1, y0 - far}, {x1 + far, y0 - far}, {x1 + far, y1 + far}, {x1, y1 + far}},
+       {{x0 - far, y0 - far}, {x1 + far, y0 - far}, {x1 + far, y0}, {x0 - far, y0}},
+       {{x0 - far, y1}, {x1 + far, y1}, {x1 + far, y1 + far}, {x0 - far, y1 + far}}}};
+  const FlapPlan plan = place_flaps(mesh, nets, {}, around);
+  EXPECT_GT(plan.flaps[0].size(), 0u);
+  for (const Flap& flap : plan.flaps[0]) {
+    for (const Vec2& p : flap.corners) {
+      EXPECT_TRUE(p.x() > x0 - 1e-6 && p.x() < x1 + 1e-6 && p.y() > y0 - 1e-6 && p.y() < y1 + 1e-6);
+    }
+  }
+  for (const MissedFlap& miss : plan.missed) EXPECT_EQ(miss.why, FlapMiss::kBlocked);
+}
+
+}  // namespace
+}  // namespace foldwright::testing

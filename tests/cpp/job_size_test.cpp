@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <span>
+
+#include "meshes.h"
+#include "pipeline/job.h"
+#include "pipeline/model_size.h"
+
+namespace foldwright::testing {
+namespace {
+
+struct Outcome {
+  std::shared_ptr<const JobResult> result;
+  std::string error;  ///< its code
+};
+
+Outcome run(const Mesh& mesh, const JobOptions& options) {
+  const std::string text = obj_of(mesh);
+  const auto bytes = std::as_bytes(std::span(text));
+  Job job({bytes.begin(), bytes.end()}, "model.obj", options);
+  Outcome outcome;
+  while (!job.finished()) {
+    for (const Event& event : job.step(100000)) {
+      if (const auto* done = std::get_if<DoneEvent>(&event)) outcome.result = done->result;
+      if (const auto* error = std::get_if<ErrorEvent>(&event)) outcome.error = error->code;
+    }
+  }
+  return outcome;
+}
+
+JobOptions sized(Sizing by, double value, int parts) {
+  JobOptions options;
+  options.parts = parts;
+  options.runs = 60;
+  options.size = {by, value};
+  return options;
+}
+
+void expect_all_fit(const JobResult& result, const SheetOptions& sheet) {
+  std::vector<int> uses(result.mesh.faces.size(), 0);
+  for (const Piece& piece : result.pieces) {
+    EXPECT_TRUE(piece.check.valid());
+    EXPECT_TRUE(fits_somehow(piece.net.vertices, printable(sheet)));
+    for (const int face : piece.net.faces) ++uses[face];
+  }
+  EXPECT_EQ(std::ranges::count(uses, 1), static_cast<int>(uses.size()));
+}
+
+bool has_notice(const JobResult& result, const std::string& code) {
+  return std::ranges::any_of(result.notices, [&](const Notice& n) { return n.code == code; });
+}
+
+TEST(JobSize, IsTheHeightOrWidthAskedFor) {
+  const Mesh mesh = bumpy_sphere(200);
+  for (const Sizing by : {Sizing::kHeight, Sizing::kWidth}) {
+    const Outcome outcome = run(mesh, sized(by, 80, 2));
+    ASSERT_TRUE(outcome.result);
+    const Vec3 size = extents(outcome.result->mesh) * outcome.result->sheets.scale;
+    EXPECT_NEAR(by == Sizing::kHeight ? size.y() : size.x(), 80, 1e-9);
+    EXPECT_FALSE(has_notice(*outcome.result, "sheet-split"));
+  }
+}
+
+TEST(JobSize, CutsAgainWhatIsTooLargeForTheSheet) {
+  const Outcome outcome = run(bumpy_sphere(300), sized(Sizing::kHeight, 250, 2));
+  ASSERT_TRUE(outcome.result);
+  const JobResult& result = *outcome.result;
+  expect_all_fit(result, {});
+  EXPECT_GT(result.pieces.size(), 2u);
+  EXPECT_EQ(result.parts, 2);
+  EXPECT_TRUE(has_notice(result, "sheet-split"));
+  for (const Piece& piece : result.pieces) {
+    EXPECT_EQ(piece.cause, Cause::kSheet);
+    EXPECT_EQ(piece.motion.kind, Folding::kLine) << "a cut leaves the motion what it was";
+    for (const std::vector<double>& key : piece.motion.angles) {
+      EXPECT_EQ(key.size(), piece.net.edges.size());
+    }
+  }
+}
+
+TEST(JobSize, IsTheLargestThatGoesOnSoManySheets) {
+  const Mesh mesh = bumpy_sphere(200);
+  double last = 0;
+  for (const int sheets : {1, 2, 4}) {
+    const Outcome outcome = run(mesh, sized(Sizing::kSheets, sheets, 3));
+    ASSERT_TRUE(outcome.result);
+    expect_all_fit(*outcome.result, {});
+    EXPECT_LE(outcome.result->sheets.sheet_count, sheets);
+    EXPECT_GT(outcome.result->sheets.scale, last);
+    last = outcome.result->sheets.scale;
+  }
+}
+
+TEST(JobSize, SaysWhatUnitItGuessed) {
+  EXPECT_TRUE(has_notice(*run(cube(), sized(Sizing::kScale, 0.05, 1)).result, "unit-guessed"));
+  JobOptions options = sized(Sizing::kScale, 40, 1);
+  options.size.unit = Unit::kMillimetre;
+  const Outcome outcome = run(cube(), options);
+  EXPECT_FALSE(has_notice(*outcome.result, "unit-guessed"));
+  EXPECT_NEAR(outcome.result->sheets.scale, 40, 1e-12);
+}
+
+TEST(JobSize, RefusesFacesLargerThanASheet) {
+  EXPECT_EQ(run(cube(), sized(Sizing::kHeight, 500, 1)).error, "face-too-large");
+}
+
+}  // namespace
+}  // namespace foldwright::testing

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "geometry/convex2.h"
+#include "meshes.h"
+#include "paper/labels.h"
+#include "search/tree_search.h"
+
+namespace foldwright::testing {
+namespace {
+
+Net net_of(const Mesh& mesh, double size) {
+  const DualGraph graph = build_dual_graph(mesh);
+  TreeSearch search(mesh, graph);
+  while (search.step(100000) == TreeSearch::State::kRunning) continue;
+  Net net = make_net(mesh, graph, search.best());
+  for (Vec2& p : net.vertices) p *= size / 2;
+  return net;
+}
+
+/// The ink of a label, as narrow as usual faces are.
+std::vector<Vec2> ink(const Label& label) {
+  const Vec2 along(std::cos(label.angle), std::sin(label.angle));
+  const Vec2 up(-along.y(), along.x());
+  const Vec2 x = 0.5 * 0.56 * static_cast<double>(label.text.size()) * label.size * along;
+  const Vec2 y = 0.5 * kCapHeight * label.size * up;
+  const Vec2& c = label.centre;
+  return {c - x - y, c + x - y, c + x + y, c - x + y};
+}
+
+/// Whether the segment passes through the polygon, by sampling it finely.
+bool crosses(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
+  for (int i = 0; i <= 400; ++i) {
+    const Vec2 p = a + i / 400.0 * (b - a);
+    bool inside = true;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec2& from = polygon[k];
+      inside = inside && cross(polygon[(k + 1) % polygon.size()] - from, p - from) > 0;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
+void expect_clear(const Net& net, const std::vector<Flap>& flaps,
+                  const std::vector<Label>& labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::vector<Vec2> box = ink(labels[i]);
+    EXPECT_GT(labels[i].angle, -1.5707963268);
+    EXPECT_LE(labels[i].angle, 1.5707963268);
+    for (const NetEdge& edge : net.edges) {
+      if (edge.assignment == Assignment::kFlat) continue;
+      EXPECT_FALSE(crosses(box, net.vertices[edge.vertices[0]], net.vertices[edge.vertices[1]]))
+          << labels[i].text;
+    }
+    for (const Flap& flap : flaps) {
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_FALSE(crosses(box, flap.corners[k], flap.corners[k + 1])) << labels[i].text;
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(convex_overlap(box, ink(labels[j]), 0)) << labels[i].text;
+    }
+  }
+}
+
+TEST(PieceLetter, CountsLikeTheColumnsOfATable) {
+  const std::pair<int, const char*> cases[] = {{0, "A"},   {25, "Z"},   {26, "AA"},
+                                               {51, "AZ"}, {701, "ZZ"}, {702, "AAA"}};
+  for (const auto& [index, letters] : cases) EXPECT_EQ(piece_letter(index), letters);
+}
+
+TEST(PlaceLabels, KeepOffLinesAndEachOther) {
+  for (const int faces : {60, 300}) {
+    SCOPED_TRACE(faces);
+    const Mesh mesh = bumpy_sphere(faces);
+    const std::vector<Net> nets = {net_of(mesh, 150)};
+    const FlapPlan flaps = place_flaps(mesh, nets, {});
+    for (const IdPlace place : {IdPlace::kInside, IdPlace::kFlap, IdPlace::kBoth}) {
+      const LabelPlan plan = place_labels(nets, flaps.flaps, place);
+      expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
+      EXPECT_GT(plan.printed, 0);
+    }
+  }
+}
+
+TEST(PlaceLabels, WriteEachIdAtBothSidesOrListIt) {
+  const Mesh mesh = bumpy_sphere(300);
+  const std::vector<Net> nets = {net_of(mesh, 100)};
+  const FlapPlan flaps = place_flaps(mesh, nets, {});
+  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kInside);
+  std::map<std::string, int> uses;
+  for (const Label& label : plan.labels[0]) ++uses[label.text];
+  const std::set<int> skipped(plan.skipped.begin(), plan.skipped.end());
+  const int seams = plan.printed + static_cast<int>(skipped.size());
+  for (int id = 1; id <= seams; ++id) {
+    const int count = uses[std::to_string(id)];
+    if (skipped.contains(id)) {
+      EXPECT_LT(count, 2) << id;
+    } else {
+      EXPECT_EQ(count, 2) << id;
+    }
+  }
+  EXPECT_GT(plan.printed, seams / 2);
+}
+
+TEST(PlaceLabels, NameTheOtherPiece) {
+  const Mesh mesh = cube();
+  const DualGraph graph = build_dual_graph(mesh);
+  std::vector<Net> nets;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
+    for (Vec2& p : nets.back().vertices) p *= 40;
+  }
+  const FlapPlan flaps = place_flaps(mesh, nets, {});
+  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kInside);
+  EXPECT_EQ(plan.printed, 12);
+  for (std::size_t n = 0; n < nets.size(); ++n) {
+    const std::string own = piece_letter(static_cast<int>(n));
+    EXPECT_EQ(plan.labels[n][0].text, own);
+    ASSERT_EQ(plan.labels[n].size(), 5u);
+    for (std::size_t i = 1; i < 5; ++i) {
+      const std::string& text = plan.labels[n][i].text;
+      const std::size_t other = static_cast<std::size_t>(text[0] - 'A');
+      EXPECT_EQ(text[1], ':');
+      EXPECT_NE(other, n);
+      const std::string back = own + text.substr(1);
+      EXPECT_TRUE(std::ranges::any_of(plan.labels[other],
+                                      [&](const Label& label) { return label.text == back; }));
+    }
+  }
+}
+
+TEST(PlaceLabels, LeaveOutWhatNobodyCouldRead) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 3)};
+  const std::vector<std::vector<Flap>> none(1);
+  const LabelPlan plan = place_labels(nets, none, IdPlace::kBoth);
+  EXPECT_TRUE(plan.labels[0].empty());
+  EXPECT_EQ(plan.printed, 0);
+  EXPECT_EQ(plan.skipped.size(), 7u);
+}
+
+}  // namespace
+}  // namespace foldwright::testing

@@ -1,0 +1,211 @@
+/**
+ * Judges written sheets as someone with scissors would, against the FOLD file of the same run: the
+ * latter's own check ties it to the model.
+ */
+import type { FoldFile, NetFrame } from './fold-file.js';
+import { pieceLines, type Lines } from './sheet-lines.js';
+import type { PieceLines, Point, SheetFile, SheetText } from './sheet-file.js';
+
+// What the files' decimals and the printer leave open, in mm.
+const tolerance = 0.01;
+
+const cross = (a: Point, b: Point, c: Point): number =>
+  (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** Whether two segments pass through each other by more than the tolerance. */
+function cutThrough([a, b]: [Point, Point], [c, d]: [Point, Point]): boolean {
+  const [long, other] = [distance(a, b), distance(c, d)];
+  if (long < tolerance || other < tolerance) return false;
+  const [s, t] = [cross(a, b, c) / long, cross(a, b, d) / long];
+  const [u, v] = [cross(c, d, a) / other, cross(c, d, b) / other];
+  const apart = (x: number, y: number): boolean =>
+    Math.min(x, y) < -tolerance && Math.max(x, y) > tolerance;
+  return apart(s, t) && apart(u, v);
+}
+
+function sidesOf(walk: Point[]): [Point, Point][] {
+  return walk.map((point, i) => [point, walk[(i + 1) % walk.length]!]);
+}
+
+function isInside([x, y]: Point, walks: Point[][]): boolean {
+  let inside = false;
+  for (const [[ax, ay], [bx, by]] of walks.flatMap(sidesOf)) {
+    if (ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+  }
+  return inside;
+}
+
+function* pairs<Item>(items: readonly Item[]): Generator<[Item, Item]> {
+  for (let i = 0; i < items.length; ++i) {
+    for (let j = 0; j < i; ++j) yield [items[i]!, items[j]!];
+  }
+}
+
+/** The ink of a text, with figures as wide as Helvetica's. */
+function inkOf({ text, at, angle, size }: SheetText): Point[] {
+  const turn = (angle * Math.PI) / 180;
+  const half = 0.27 * size * text.replaceAll(':', '').length;
+  const on = (along: number, up: number): Point => [
+    at[0] + along * Math.cos(turn) - up * Math.sin(turn),
+    at[1] + along * Math.sin(turn) + up * Math.cos(turn),
+  ];
+  return [on(-half, 0), on(half, 0), on(half, 0.7 * size), on(-half, 0.7 * size)];
+}
+
+/** Cuts: closed walks within the margins that cross neither themselves nor those of other pieces. */
+function checkCuts(sheet: SheetFile, margin: number): string[] {
+  const faults: string[] = [];
+  const sides: { letter: string; side: [Point, Point] }[] = [];
+  for (const [letter, { cuts }] of sheet.pieces) {
+    for (const walk of cuts) {
+      for (const side of sidesOf(walk)) sides.push({ letter, side });
+      for (const [x, y] of walk) {
+        const least = Math.min(x, y, sheet.width - x, sheet.height - y);
+        if (least < margin - tolerance) faults.push(`${letter}: in the margin at ${x} ${y}`);
+      }
+    }
+  }
+  for (const [a, b] of pairs(sides)) {
+    if (cutThrough(a.side, b.side)) faults.push(`${a.letter} runs into ${b.letter}`);
+  }
+  for (const [[a, first], [b, second]] of pairs([...sheet.pieces])) {
+    const apart =
+      !isInside(first.cuts[0]![0]!, second.cuts) && !isInside(second.cuts[0]![0]!, first.cuts);
+    if (!apart) faults.push(`${a} and ${b} lie on each other`);
+  }
+  return faults;
+}
+
+function checkTexts(letter: string, { cuts, mountains, valleys, texts }: PieceLines): string[] {
+  const faults: string[] = [];
+  const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys];
+  for (const text of texts) {
+    const ink = inkOf(text);
+    if (text.angle <= -90.001 || text.angle > 90.001)
+      faults.push(`${letter}: ${text.text} stands on its head`);
+    const sides = sidesOf(ink);
+    if (lines.some((line) => sides.some((side) => cutThrough(line, side)))) {
+      faults.push(`${letter}: a line runs through ${text.text}`);
+    }
+    if (!ink.every((corner) => isInside(corner, cuts))) {
+      faults.push(`${letter}: ${text.text} is not on the piece`);
+    }
+  }
+  for (const [a, b] of pairs(texts)) {
+    const meet = sidesOf(inkOf(a)).some((s) => sidesOf(inkOf(b)).some((t) => cutThrough(s, t)));
+    if (meet) faults.push(`${letter}: ${a.text} is written over ${b.text}`);
+  }
+  return faults;
+}
+
+/** Whether the walks go along an edge, straight or around a flap on its outer side. */
+function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[] | null {
+  for (const walk of walks) {
+    for (let i = 0; i < walk.length; ++i) {
+      if (distance(walk[i]!, from) > tolerance) continue;
+      const ahead = [1, 2, 3, 4, 5].map((step) => walk[(i + step) % walk.length]!);
+      const end = ahead.findIndex((point) => distance(point, to) <= tolerance);
+      if (end === 0) return 'straight';
+      if (end > 0 && ahead.slice(0, end).every((point) => cross(from, to, point) < tolerance)) {
+        return [from, ...ahead.slice(0, end + 1)];
+      }
+    }
+  }
+  return null;
+}
+
+function takeFold(folds: [Point, Point][], from: Point, to: Point): boolean {
+  const at = folds.findIndex(
+    ([a, b]) =>
+      (distance(a, from) <= tolerance && distance(b, to) <= tolerance) ||
+      (distance(a, to) <= tolerance && distance(b, from) <= tolerance),
+  );
+  if (at >= 0) folds.splice(at, 1);
+  return at >= 0;
+}
+
+/** Every edge of the net is drawn as what it is, and nothing else is. */
+function checkEdges(letter: string, frame: NetFrame, lines: PieceLines, net: Lines): string[] {
+  const faults: string[] = [];
+  const left = { M: [...lines.mountains], V: [...lines.valleys] };
+  frame.edges_assignment.forEach((assignment, edge) => {
+    const [from, to] = net.ends(edge);
+    if (assignment === 'B') return;
+    if (assignment === 'F' || Math.abs(frame.edges_foldAngle[edge]!) < 3) return;
+    const folds = left[assignment as 'M' | 'V'];
+    if (!takeFold(folds, from, to)) faults.push(`${letter}: edge ${edge} is no fold`);
+  });
+  for (const side of net.sides) {
+    const cut = findCut(lines.cuts, side.from, side.to);
+    if (cut === null) faults.push(`${letter}: a cut edge is not cut at ${side.from.join(' ')}`);
+    if (cut === null || cut === 'straight') continue;
+    const beyond = (a: Point, b: Point, p: Point): boolean =>
+      cross(a, b, p) / distance(a, b) < -tolerance;
+    const outside = cut.some(
+      (point) => beyond(side.from, side.apex, point) || beyond(side.apex, side.to, point),
+    );
+    if (outside) faults.push(`${letter}: a flap shows at ${side.from.join(' ')}`);
+    const folds = left[side.angle > 0 ? 'V' : 'M'];
+    const along = (p: Point): boolean =>
+      Math.abs(cross(side.from, side.to, p)) / distance(side.from, side.to) < tolerance;
+    const at = folds.findIndex(
+      ([a, b]) =>
+        along(a) &&
+        along(b) &&
+        distance(a, side.from) + distance(b, side.to) < distance(side.from, side.to),
+    );
+    if (at >= 0) folds.splice(at, 1);
+    else faults.push(`${letter}: a flap does not fold at ${side.from.join(' ')}`);
+  }
+  const extra = left.M.length + left.V.length;
+  if (extra > 0) faults.push(`${letter}: ${extra} folds that the model has not`);
+  return faults;
+}
+
+/** What a report says of the ids. */
+export interface IdsReport {
+  printed: number;
+  skipped: number[];
+}
+
+/** Each id is on both pieces, or twice on its own, or listed; `seams`: the cuts between two faces. */
+function checkIds(sheets: SheetFile[], ids: IdsReport, seams: number): string[] {
+  const uses = new Map<number, string[]>();
+  for (const [letter, { texts }] of sheets.flatMap((sheet) => [...sheet.pieces])) {
+    for (const { text } of texts) {
+      const id = /^(?:([A-Z]+):)?(\d+)$/.exec(text);
+      if (id) uses.set(Number(id[2]), [...(uses.get(Number(id[2])) ?? []), letter]);
+    }
+  }
+  const faults: string[] = [];
+  if (ids.printed + ids.skipped.length !== seams)
+    faults.push(`${seams} seams, but not as many ids`);
+  for (let id = 1; id <= seams; ++id) {
+    const count = uses.get(id)?.length ?? 0;
+    if (count < 2 && !ids.skipped.includes(id)) faults.push(`id ${id} is on one side only`);
+  }
+  return faults;
+}
+
+/** Everything that is wrong with the sheets of one run. */
+export function checkSheets(
+  sheets: SheetFile[],
+  file: FoldFile,
+  ids: IdsReport,
+  margin: number,
+): string[] {
+  const drawn = new Map(sheets.flatMap((sheet) => [...sheet.pieces]));
+  const faults = sheets.flatMap((sheet) => checkCuts(sheet, margin));
+  let cuts = 0;
+  for (const { letter, frame, net } of pieceLines(file, drawn)) {
+    const lines = drawn.get(letter);
+    if (!lines) {
+      faults.push(`${letter} is on no sheet`);
+      continue;
+    }
+    cuts += net.sides.length;
+    faults.push(...checkEdges(letter, frame, lines, net), ...checkTexts(letter, lines));
+  }
+  return [...faults, ...checkIds(sheets, ids, cuts / 2)];
+}

@@ -1,0 +1,108 @@
+/** Reads back what a sheet's SVG draws; nothing here comes from the exporter. */
+import { XMLParser } from 'fast-xml-parser';
+
+/** mm, y up, from the sheet's lower left. */
+export type Point = [x: number, y: number];
+
+export interface SheetText {
+  text: string;
+  /** Middle of the baseline. */
+  at: Point;
+  /** Degrees, counter-clockwise. */
+  angle: number;
+  size: number;
+}
+
+/** All that is drawn of one piece. */
+export interface PieceLines {
+  /** Closed walks, without repeating the first point. */
+  cuts: Point[][];
+  mountains: [Point, Point][];
+  valleys: [Point, Point][];
+  texts: SheetText[];
+}
+
+export interface SheetFile {
+  width: number;
+  height: number;
+  /** By letter. */
+  pieces: Map<string, PieceLines>;
+}
+
+interface Element {
+  'data-piece': string;
+  d: string;
+  '#text': string;
+  x: string;
+  y: string;
+  'font-size': string;
+  transform?: string;
+}
+
+interface Svg {
+  width: string;
+  height: string;
+  viewBox: string;
+  g: { id: string; path?: Element[]; text?: Element[] }[];
+}
+
+function parse(source: string): Svg {
+  const parser = new XMLParser({
+    ignoreAttributes: false,
+    attributeNamePrefix: '',
+    parseTagValue: false,
+    isArray: (name) => ['g', 'path', 'text'].includes(name),
+  });
+  return (parser.parse(source) as { svg: Svg }).svg;
+}
+
+/** @throws if anything but closed polygons and single lines in mm is drawn */
+export function readSheet(source: string): SheetFile {
+  const svg = parse(source);
+  const [width, height] = [Number.parseFloat(svg.width), Number.parseFloat(svg.height)];
+  if (svg.width !== `${width}mm` || svg.viewBox !== `0 0 ${width} ${height}`) {
+    throw new Error('the sheet is not in mm');
+  }
+  const pieces = new Map<string, PieceLines>();
+  const pieceOf = ({ 'data-piece': letter }: Element): PieceLines => {
+    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], texts: [] };
+    if (!pieces.has(letter)) pieces.set(letter, fresh);
+    return pieces.get(letter)!;
+  };
+  const up = (pair: string): Point => {
+    const [x, y] = pair.trim().split(' ').map(Number);
+    return [x!, height - y!];
+  };
+  const walks = (element: Element): string[] => element.d.split('M').slice(1);
+  const group = (id: string) => svg.g.find((candidate) => candidate.id === id);
+  for (const element of group('cut')?.path ?? []) {
+    for (const walk of walks(element)) {
+      if (!walk.endsWith('Z')) throw new Error('a cut is not closed');
+      pieceOf(element).cuts.push(walk.slice(0, -1).split('L').map(up));
+    }
+  }
+  for (const [id, kind] of [
+    ['fold-mountain', 'mountains'],
+    ['fold-valley', 'valleys'],
+  ] as const) {
+    for (const element of group(id)?.path ?? []) {
+      for (const walk of walks(element)) {
+        const [from, to] = walk.split('L').map(up);
+        pieceOf(element)[kind].push([from!, to!]);
+      }
+    }
+  }
+  for (const element of group('id')?.text ?? []) {
+    const turn = /^rotate\((\S+) (\S+) (\S+)\)$/.exec(
+      element.transform ?? `rotate(0 ${element.x} ${element.y})`,
+    );
+    if (turn?.[2] !== element.x || turn[3] !== element.y) throw new Error('a text is moved');
+    pieceOf(element).texts.push({
+      text: element['#text'],
+      at: up(`${element.x} ${element.y}`),
+      angle: -Number(turn[1]),
+      size: Number(element['font-size']),
+    });
+  }
+  return { width, height, pieces };
+}

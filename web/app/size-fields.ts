@@ -1,0 +1,64 @@
+import type { JobOptions, Sizing, Unit } from '../model/job.js';
+import { find } from './dom.js';
+
+/** What these fields decide. */
+export type Size = Pick<JobOptions, 'sizing' | 'size' | 'unit'>;
+
+/** How the number of each kind of size is asked for. */
+interface Amount {
+  label: string;
+  least: string;
+  most: string;
+  step: string;
+  start: string;
+}
+
+const amounts: Readonly<Record<Exclude<Sizing, 'fit'>, Amount>> = {
+  height: { label: 'Height, mm', least: '1', most: '100000', step: 'any', start: '150' },
+  width: { label: 'Width, mm', least: '1', most: '100000', step: 'any', start: '150' },
+  scale: { label: 'Factor', least: '0.000001', most: '1000000', step: 'any', start: '1' },
+  sheets: { label: 'Sheets at most', least: '1', most: '1000', step: '1', start: '4' },
+};
+
+const units: readonly Unit[] = ['guess', 'mm', 'cm', 'm', 'in'];
+
+/** The fields for the finished size; the number and the unit show only where they are used. */
+export class SizeFields {
+  private readonly kind = find('#sizing', HTMLSelectElement);
+  private readonly amount = find('#size', HTMLInputElement);
+  private readonly amountField = find('#size-field', HTMLElement);
+  private readonly amountLabel = find('#size-label', HTMLElement);
+  private readonly unit = find('#unit', HTMLSelectElement);
+  private readonly unitField = find('#unit-field', HTMLElement);
+
+  constructor() {
+    this.kind.addEventListener('change', () => this.show());
+    this.show();
+  }
+
+  /** What the fields say now; they must be valid. */
+  read(): Size {
+    const sizing = this.sizing();
+    const size = sizing === 'fit' ? 0 : this.amount.valueAsNumber;
+    return { sizing, size, unit: units.find((name) => name === this.unit.value) ?? 'guess' };
+  }
+
+  private sizing(): Sizing {
+    const { value } = this.kind;
+    return Object.hasOwn(amounts, value) ? (value as keyof typeof amounts) : 'fit';
+  }
+
+  private show(): void {
+    const sizing = this.sizing();
+    this.unitField.hidden = sizing !== 'scale';
+    this.amountField.hidden = sizing === 'fit';
+    this.amount.required = sizing !== 'fit';
+    if (sizing === 'fit') {
+      this.amount.value = '';
+      return;
+    }
+    const { label, least, most, step, start } = amounts[sizing];
+    this.amountLabel.textContent = label;
+    Object.assign(this.amount, { min: least, max: most, step, value: start });
+  }
+}
