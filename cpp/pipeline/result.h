@@ -37,9 +37,9 @@ struct Piece {
   Net net;  ///< millimetres; with the flaps its box starts at (0, 0)
   std::vector<Flap> flaps = {};
   std::vector<Label> labels = {};
-  NetCheck check;
-  PieceMotion motion;
-  std::vector<std::vector<int>> outlines;  ///< see `boundary_walks`
+  NetCheck check = {};
+  PieceMotion motion = {};
+  std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`
 };
 
 struct JobResult {

@@ -18,8 +18,7 @@ JobResult small_result() {
   result.segmentation = std::vector<int>(12, 0);
   result.labels = std::vector<int>(12, 0);
   result.parts = 1;
-  result.pieces.push_back(
-      {0, Cause::kPart, make_net(result.mesh, graph, all_spanning_trees(graph)[0]), {}, {}, {}});
+  result.pieces.push_back({.net = make_net(result.mesh, graph, all_spanning_trees(graph)[0])});
   result.sheets.scale = 40;
   result.sheets.placements.push_back({0, 10, 20});
   return result;
