@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bytes.h"
+#include "options.h"
 #include "pipeline/job.h"
 #include "pipeline/wire.h"
 #include "values.h"

@@ -2,80 +2,25 @@
 
 #include <emscripten/bind.h>
 
-#include <algorithm>
 #include <limits>
 #include <numbers>
-#include <span>
-#include <stdexcept>
 #include <string>
+
+#include "names.h"
 
 namespace foldwright {
 namespace {
 
 using emscripten::val;
 
-template <class Enum>
-struct Name {
-  const char* text;
-  Enum value;
-};
-
-constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge},
-                                           {"flat", Heuristic::kFlatTree},
-                                           {"hybrid", Heuristic::kHybrid},
-                                           {"random", Heuristic::kRandom}};
-constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kShape},
-                                           {"spectral", Segmenter::kFoldability}};
-constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver::kGenetic}};
-constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
-                                               {"prefer", FoldingMode::kPrefer},
-                                               {"require", FoldingMode::kRequire}};
 constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
                                    {"no-net", Cause::kNoNet},
                                    {"no-motion", Cause::kNoMotion},
                                    {"sheet", Cause::kSheet}};
-constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
-                                     {"height", Sizing::kHeight},
-                                     {"width", Sizing::kWidth},
-                                     {"scale", Sizing::kScale},
-                                     {"sheets", Sizing::kSheets}};
-constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
-                                         {"one", FlapSide::kOne},
-                                         {"alternate", FlapSide::kAlternate},
-                                         {"both", FlapSide::kBoth}};
-constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
-                                       {"inside", IdPlace::kInside},
-                                       {"flap", IdPlace::kFlap},
-                                       {"both", IdPlace::kBoth}};
-constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
-                                 {"mm", Unit::kMillimetre},
-                                 {"cm", Unit::kCentimetre},
-                                 {"m", Unit::kMetre},
-                                 {"in", Unit::kInch}};
 constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
                                        {"no", Folding::kNone},
                                        {"line", Folding::kLine},
                                        {"waypoints", Folding::kWaypoints}};
-constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
-                                               {"portrait", Orientation::kPortrait},
-                                               {"landscape", Orientation::kLandscape}};
-
-template <class Enum>
-Enum from_name(std::span<const Name<Enum>> names, const val& value) {
-  const auto text = value.as<std::string>();
-  for (const auto& name : names) {
-    if (text == name.text) return name.value;
-  }
-  throw std::invalid_argument("unknown word in the options: " + text);
-}
-
-template <class Enum>
-std::string name_of(std::span<const Name<Enum>> names, Enum value) {
-  for (const auto& name : names) {
-    if (value == name.value) return name.text;
-  }
-  throw std::logic_error("a value without a name");
-}
 
 template <class T>
 val copied(const char* array, const std::vector<T>& values) {
@@ -390,34 +335,6 @@ struct EventValue {
 };
 
 }  // namespace
-
-JobOptions options_from(const val& object) {
-  JobOptions options;
-  options.parts = object["parts"].as<int>();
-  options.heuristic = from_name<Heuristic>(kHeuristics, object["heuristic"]);
-  options.segmenter = from_name<Segmenter>(kSegmenters, object["segment"]);
-  options.solver = from_name<Solver>(kSolvers, object["solver"]);
-  options.folding = from_name<FoldingMode>(kFoldingModes, object["folding"]);
-  options.clearance = object["clearance"].as<double>();
-  options.runs = object["runs"].as<int>();
-  options.proxy = object["proxy"].as<int>();
-  options.seed = object["seed"].as<std::uint32_t>();
-  options.faces = object["faces"].as<int>();
-  options.size.by = from_name<Sizing>(kSizings, object["sizing"]);
-  options.size.value = object["size"].as<double>();
-  options.size.unit = from_name<Unit>(kUnits, object["unit"]);
-  options.ids = from_name<IdPlace>(kIdPlaces, object["ids"]);
-  options.flaps.side = from_name<FlapSide>(kFlapSides, object["flapSide"]);
-  FlapShape& flap = options.flaps.shape;
-  flap.height = object["flapHeight"].as<double>();
-  flap.least = std::min(flap.least, flap.height);
-  flap.angle = object["flapAngle"].as<double>() * std::numbers::pi / 180;
-  options.sheet.width = object["paperWidth"].as<double>();
-  options.sheet.height = object["paperHeight"].as<double>();
-  options.sheet.orientation = from_name<Orientation>(kOrientations, object["orientation"]);
-  options.sheet.margin = object["margin"].as<double>();
-  return options;
-}
 
 val to_value(const Event& event) { return std::visit(EventValue{}, event); }
 

@@ -1,27 +1,20 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <set>
 
+#include "job_runs.h"
 #include "meshes.h"
 #include "pipeline/job.h"
 
 namespace foldwright {
 namespace {
 
-std::vector<std::byte> as_obj(const Mesh& mesh) {
-  const std::string text = testing::obj_of(mesh);
-  std::vector<std::byte> bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
-  return bytes;
-}
-
 /// Runs a job with six parts until `wanted` nets are found, then cancels it.
 CancelledEvent cancel_after(int wanted) {
   JobOptions options;
   options.parts = 6;
   options.runs = 30;
-  Job job(as_obj(testing::bumpy_sphere(300)), "hills.obj", options);
+  Job job(testing::to_bytes(testing::obj_of(testing::bumpy_sphere(300))), "hills.obj", options);
   int nets = 0;
   while (nets < wanted) {
     for (const Event& event : job.step(1000)) nets += std::holds_alternative<NetEvent>(event);

@@ -3,31 +3,12 @@
 #include <algorithm>
 #include <span>
 
+#include "job_runs.h"
 #include "meshes.h"
-#include "pipeline/job.h"
 #include "pipeline/model_size.h"
 
 namespace foldwright::testing {
 namespace {
-
-struct Outcome {
-  std::shared_ptr<const JobResult> result;
-  std::string error;  ///< its code
-};
-
-Outcome run(const Mesh& mesh, const JobOptions& options) {
-  const std::string text = obj_of(mesh);
-  const auto bytes = std::as_bytes(std::span(text));
-  Job job({bytes.begin(), bytes.end()}, "model.obj", options);
-  Outcome outcome;
-  while (!job.finished()) {
-    for (const Event& event : job.step(100000)) {
-      if (const auto* done = std::get_if<DoneEvent>(&event)) outcome.result = done->result;
-      if (const auto* error = std::get_if<ErrorEvent>(&event)) outcome.error = error->code;
-    }
-  }
-  return outcome;
-}
 
 JobOptions sized(Sizing by, double value, int parts) {
   JobOptions options;
@@ -102,7 +83,9 @@ TEST(JobSize, SaysWhatUnitItGuessed) {
 }
 
 TEST(JobSize, RefusesFacesLargerThanASheet) {
-  EXPECT_EQ(run(cube(), sized(Sizing::kHeight, 500, 1)).error, "face-too-large");
+  const Outcome outcome = run(cube(), sized(Sizing::kHeight, 500, 1));
+  ASSERT_EQ(outcome.all<ErrorEvent>().size(), 1u);
+  EXPECT_EQ(outcome.all<ErrorEvent>()[0].code, "face-too-large");
 }
 
 }  // namespace

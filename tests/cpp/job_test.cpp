@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "folding.h"
+#include "job_runs.h"
 #include "mesh/repair.h"
 #include "meshes.h"
 #include "model_text.h"
@@ -17,65 +17,6 @@
 
 namespace foldwright::testing {
 namespace {
-
-constexpr std::int64_t kSlice = 100000;
-
-std::vector<std::byte> to_bytes(const std::string& text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
-}
-
-/// What a job told, and how it ended.
-struct Outcome {
-  Events events;
-  std::shared_ptr<const JobResult> result;
-
-  template <class Kind>
-  std::vector<Kind> all() const {
-    std::vector<Kind> found;
-    for (const Event& event : events) {
-      if (const auto* kind = std::get_if<Kind>(&event)) found.push_back(*kind);
-    }
-    return found;
-  }
-
-  /// Codes of the notices.
-  std::multiset<std::string> notices() const {
-    std::multiset<std::string> codes;
-    for (const Notice& notice : all<Notice>()) codes.insert(notice.code);
-    return codes;
-  }
-};
-
-void append(Outcome& outcome, Events events) {
-  std::ranges::move(events, std::back_inserter(outcome.events));
-}
-
-/// The end of every job: the last event says how it ended, and nothing comes after it.
-void finish(Outcome& outcome, Job& job) {
-  EXPECT_TRUE(job.finished());
-  EXPECT_TRUE(job.step(kSlice).empty());
-  EXPECT_EQ(outcome.all<DoneEvent>().size() + outcome.all<ErrorEvent>().size(), 1u);
-  ASSERT_FALSE(outcome.events.empty());
-  if (const auto* done = std::get_if<DoneEvent>(&outcome.events.back())) {
-    outcome.result = done->result;
-  } else {
-    EXPECT_TRUE(std::holds_alternative<ErrorEvent>(outcome.events.back()));
-  }
-}
-
-Outcome run_file(const std::string& text, const std::string& name, const JobOptions& options,
-                 std::int64_t slice = kSlice) {
-  Job job(to_bytes(text), name, options);
-  Outcome outcome;
-  while (!job.finished()) append(outcome, job.step(slice));
-  finish(outcome, job);
-  return outcome;
-}
-
-Outcome run(const Mesh& mesh, const JobOptions& options = {}, std::int64_t slice = kSlice) {
-  return run_file(obj_of(mesh), "model.obj", options, slice);
-}
 
 /// A host that sends tasks over the wire, and takes results in the opposite order.
 Outcome run_elsewhere(const Mesh& mesh, const JobOptions& options) {
@@ -100,34 +41,14 @@ Outcome run_elsewhere(const Mesh& mesh, const JobOptions& options) {
   return outcome;
 }
 
-/// What is wrong with a result; empty when nothing is.
-std::string fault_of(const JobResult& result) {
-  std::vector<int> uses(result.mesh.faces.size(), 0);
-  std::set<int> parts;
-  for (const Piece& piece : result.pieces) {
-    if (!piece.check.valid()) return "an invalid net";
-    if (piece.outlines.empty()) return "a piece without an outline";
-    parts.insert(piece.part);
-    for (const int face : piece.net.faces) {
-      ++uses[face];
-      if (result.labels[face] != piece.part) return "a face on a piece of another part";
-    }
-  }
-  if (std::ranges::any_of(uses, [](int count) { return count != 1; })) {
-    return "a face that is not on just one piece";
-  }
-  const auto count = static_cast<int>(parts.size());
-  if (count != result.parts || *parts.rbegin() != count - 1) return "parts without a piece";
-  if (result.sheets.placements.size() != result.pieces.size()) return "pieces without a place";
-  if (result.hash != hash_of(canonical_dump(result))) return "a wrong hash";
-  return "";
-}
-
-void expect_sound(const Outcome& outcome) {
-  if (outcome.result == nullptr) {
-    FAIL() << outcome.all<ErrorEvent>().at(0).text;
-  }
-  EXPECT_EQ(fault_of(*outcome.result), "");
+/// Two bodies as one mesh, the second moved clear of the first.
+Mesh beside(const Mesh& first, const Mesh& second) {
+  std::vector<Vec3> positions = first.positions;
+  std::vector<std::array<int, 3>> faces = first.faces;
+  const int offset = first.vertex_count();
+  for (const Vec3& p : second.positions) positions.push_back(p + Vec3(9, 0, 0));
+  for (const auto& [a, b, c] : second.faces) faces.push_back({a + offset, b + offset, c + offset});
+  return make_mesh(std::move(positions), std::move(faces));
 }
 
 TEST(Job, MakesNetsOfSmallMeshes) {
@@ -298,16 +219,6 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
   }
 }
 
-/// Two bodies as one mesh, the second moved clear of the first.
-Mesh beside(const Mesh& first, const Mesh& second) {
-  std::vector<Vec3> positions = first.positions;
-  std::vector<std::array<int, 3>> faces = first.faces;
-  const int offset = first.vertex_count();
-  for (const Vec3& p : second.positions) positions.push_back(p + Vec3(9, 0, 0));
-  for (const auto& [a, b, c] : second.faces) faces.push_back({a + offset, b + offset, c + offset});
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
 TEST(Job, GivesEveryBodyItsOwnParts) {
   const Mesh two = beside(cube(), star());
   const Outcome one = run(two, {.parts = 1, .runs = 20});
@@ -341,124 +252,6 @@ TEST(Job, SplitsABodyThatHasNoNet) {
   for (const Piece& piece : outcome.result->pieces) EXPECT_EQ(piece.cause, Cause::kNoNet);
   EXPECT_EQ(outcome.notices(), std::multiset<std::string>{"part-split"});
   EXPECT_EQ(outcome.result->segmentation, std::vector<int>(8, 0));
-}
-
-TEST(Job, FoldsEveryPiece) {
-  const std::pair<Mesh, JobOptions> cases[] = {
-      {cube(), {.parts = 1}},
-      {l_prism(), {.parts = 2, .runs = 20}},
-      {torus(10, 7), {.parts = 3, .runs = 40}},
-      {bumpy_sphere(200), {.parts = 4, .runs = 40}},
-      {dumbbell(), {.parts = 1, .folding = FoldingMode::kRequire}},
-      {two_sided_square(), {.parts = 1}},
-      {open_strip(3), {.parts = 1}},
-      {bumpy_sphere(120), {.parts = 2, .solver = Solver::kGenetic, .runs = 40}}};
-  for (const auto& [mesh, options] : cases) {
-    SCOPED_TRACE(mesh.face_count());
-    const Outcome outcome = run(mesh, options);
-    expect_sound(outcome);
-    EXPECT_FALSE(outcome.notices().contains("no-motion"));
-    const JobResult& result = *outcome.result;
-    const DualGraph graph = build_dual_graph(result.mesh);
-    for (const Piece& piece : result.pieces) {
-      EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
-      EXPECT_TRUE(colliding_times(result, graph, piece, 200).empty());
-    }
-  }
-}
-
-TEST(Job, WouldBeCaughtWithAWrongMotion) {
-  // What the test before rests on: half as far again, the faces run into each other.
-  const JobResult result = *run(bumpy_sphere(120), {.parts = 2, .runs = 20}).result;
-  const DualGraph graph = build_dual_graph(result.mesh);
-  Piece piece = result.pieces[0];
-  for (double& angle : piece.motion.angles.back()) angle *= 1.5;
-  EXPECT_FALSE(colliding_times(result, graph, piece, 200).empty());
-  EXPECT_NE(fault_of_motion(piece.motion, piece.net), "");
-}
-
-TEST(Job, LooksAtNoMotionWhenFoldingIsOff) {
-  const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kOff});
-  expect_sound(outcome);
-  EXPECT_TRUE(outcome.notices().empty());
-  for (const Piece& piece : outcome.result->pieces) {
-    EXPECT_EQ(piece.motion.kind, Folding::kUnchecked);
-    EXPECT_TRUE(piece.motion.times.empty());
-    EXPECT_TRUE(piece.motion.angles.empty());
-  }
-}
-
-TEST(Job, SaysWhenAModelMeetsItself) {
-  const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kPrefer});
-  expect_sound(outcome);
-  EXPECT_TRUE(outcome.notices().contains("meets-itself"));
-  EXPECT_FALSE(outcome.notices().contains("no-motion"));
-  ASSERT_EQ(outcome.result->pieces.size(), 1u);
-  EXPECT_EQ(outcome.result->pieces[0].motion.kind, Folding::kNone);
-  EXPECT_TRUE(outcome.result->pieces[0].motion.times.empty());
-}
-
-TEST(Job, SplitsAModelThatMeetsItselfIfAMotionIsRequired) {
-  const Outcome outcome =
-      run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kRequire, .runs = 20});
-  expect_sound(outcome);
-  EXPECT_GT(outcome.result->pieces.size(), 1u);
-  for (const Piece& piece : outcome.result->pieces) {
-    EXPECT_EQ(piece.cause, Cause::kNoMotion);
-    EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
-  }
-}
-
-TEST(Job, FoldsTheShareOfAModelThatMeetsItselfThatDoesNot) {
-  // In two parts, each free of itself, the strip folds.
-  const Outcome outcome = run(crossing_strip(), {.parts = 2, .runs = 20});
-  expect_sound(outcome);
-  EXPECT_FALSE(outcome.notices().contains("meets-itself"));
-  for (const Piece& piece : outcome.result->pieces) {
-    EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
-  }
-}
-
-/// A job of one part whose host says of all nets of the whole model that they do not fold.
-Outcome run_without_motion(const Mesh& mesh, FoldingMode folding) {
-  Job job(to_bytes(obj_of(mesh)), "model.obj", {.parts = 1, .folding = folding, .runs = 20});
-  const auto panels = static_cast<std::size_t>(build_dual_graph(mesh).panel_count());
-  Outcome outcome;
-  while (!job.finished()) {
-    append(outcome, job.advance());
-    while (const auto task = job.take_task()) {
-      TaskRunner runner(*task);
-      while (!runner.step(kSlice)) continue;
-      TaskResult result = runner.result();
-      if (task->panels.size() == panels) {
-        if (auto* planned = std::get_if<PlanResult>(&result))
-          planned->motion = {Folding::kNone, {}, {}};
-        if (auto* searched = std::get_if<SearchResult>(&result)) {
-          searched->folds_straight = false;
-          searched->shortfall = 1;
-        }
-      }
-      append(outcome, job.complete(task->id, std::move(result)));
-    }
-  }
-  finish(outcome, job);
-  return outcome;
-}
-
-TEST(Job, KeepsANetWithoutAMotionUnlessOneIsRequired) {
-  const Outcome kept = run_without_motion(icosahedron(), FoldingMode::kPrefer);
-  expect_sound(kept);
-  ASSERT_EQ(kept.result->pieces.size(), 1u);
-  EXPECT_EQ(kept.result->pieces[0].motion.kind, Folding::kNone);
-  EXPECT_EQ(kept.notices(), std::multiset<std::string>{"no-motion"});
-  const Outcome split = run_without_motion(icosahedron(), FoldingMode::kRequire);
-  expect_sound(split);
-  EXPECT_EQ(split.result->pieces.size(), 2u);
-  for (const Piece& piece : split.result->pieces) {
-    EXPECT_EQ(piece.cause, Cause::kNoMotion);
-    EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
-  }
-  EXPECT_EQ(split.notices(), std::multiset<std::string>{"part-split"});
 }
 
 TEST(Job, SimplifiesAndStillLabelsEverySourceFace) {

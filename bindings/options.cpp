@@ -1,0 +1,77 @@
+#include "options.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "names.h"
+
+namespace foldwright {
+namespace {
+
+using emscripten::val;
+
+constexpr Name<Heuristic> kHeuristics[] = {{"steepest", Heuristic::kSteepestEdge},
+                                           {"flat", Heuristic::kFlatTree},
+                                           {"hybrid", Heuristic::kHybrid},
+                                           {"random", Heuristic::kRandom}};
+constexpr Name<Segmenter> kSegmenters[] = {{"merge", Segmenter::kShape},
+                                           {"spectral", Segmenter::kFoldability}};
+constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver::kGenetic}};
+constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
+                                               {"prefer", FoldingMode::kPrefer},
+                                               {"require", FoldingMode::kRequire}};
+constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
+                                     {"height", Sizing::kHeight},
+                                     {"width", Sizing::kWidth},
+                                     {"scale", Sizing::kScale},
+                                     {"sheets", Sizing::kSheets}};
+constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
+                                         {"one", FlapSide::kOne},
+                                         {"alternate", FlapSide::kAlternate},
+                                         {"both", FlapSide::kBoth}};
+constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
+                                       {"inside", IdPlace::kInside},
+                                       {"flap", IdPlace::kFlap},
+                                       {"both", IdPlace::kBoth}};
+constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
+                                 {"mm", Unit::kMillimetre},
+                                 {"cm", Unit::kCentimetre},
+                                 {"m", Unit::kMetre},
+                                 {"in", Unit::kInch}};
+constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
+                                               {"portrait", Orientation::kPortrait},
+                                               {"landscape", Orientation::kLandscape}};
+
+std::string word(const val& value) { return value.as<std::string>(); }
+
+}  // namespace
+
+JobOptions options_from(const val& object) {
+  JobOptions options;
+  options.parts = object["parts"].as<int>();
+  options.heuristic = from_name<Heuristic>(kHeuristics, word(object["heuristic"]));
+  options.segmenter = from_name<Segmenter>(kSegmenters, word(object["segment"]));
+  options.solver = from_name<Solver>(kSolvers, word(object["solver"]));
+  options.folding = from_name<FoldingMode>(kFoldingModes, word(object["folding"]));
+  options.clearance = object["clearance"].as<double>();
+  options.runs = object["runs"].as<int>();
+  options.proxy = object["proxy"].as<int>();
+  options.seed = object["seed"].as<std::uint32_t>();
+  options.faces = object["faces"].as<int>();
+  options.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
+  options.size.value = object["size"].as<double>();
+  options.size.unit = from_name<Unit>(kUnits, word(object["unit"]));
+  options.ids = from_name<IdPlace>(kIdPlaces, word(object["ids"]));
+  options.flaps.side = from_name<FlapSide>(kFlapSides, word(object["flapSide"]));
+  FlapShape& flap = options.flaps.shape;
+  flap.height = object["flapHeight"].as<double>();
+  flap.least = std::min(flap.least, flap.height);
+  flap.angle = object["flapAngle"].as<double>() * std::numbers::pi / 180;
+  options.sheet.width = object["paperWidth"].as<double>();
+  options.sheet.height = object["paperHeight"].as<double>();
+  options.sheet.orientation = from_name<Orientation>(kOrientations, word(object["orientation"]));
+  options.sheet.margin = object["margin"].as<double>();
+  return options;
+}
+
+}  // namespace foldwright

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "meshes.h"
+#include "pipeline/job.h"
+
+/// Jobs that are run to their end, and what is asked of every one of them.
+namespace foldwright::testing {
+
+/// Microseconds' worth of work in a step, unless a test is about steps.
+inline constexpr std::int64_t kSlice = 100000;
+
+inline std::vector<std::byte> to_bytes(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// What a job told, and how it ended.
+struct Outcome {
+  Events events;
+  std::shared_ptr<const JobResult> result;
+
+  template <class Kind>
+  std::vector<Kind> all() const {
+    std::vector<Kind> found;
+    for (const Event& event : events) {
+      if (const auto* kind = std::get_if<Kind>(&event)) found.push_back(*kind);
+    }
+    return found;
+  }
+
+  /// Codes of the notices.
+  std::multiset<std::string> notices() const {
+    std::multiset<std::string> codes;
+    for (const Notice& notice : all<Notice>()) codes.insert(notice.code);
+    return codes;
+  }
+};
+
+inline void append(Outcome& outcome, Events events) {
+  std::ranges::move(events, std::back_inserter(outcome.events));
+}
+
+/// The end of every job: the last event says how it ended, and nothing comes after it.
+inline void finish(Outcome& outcome, Job& job) {
+  EXPECT_TRUE(job.finished());
+  EXPECT_TRUE(job.step(kSlice).empty());
+  EXPECT_EQ(outcome.all<DoneEvent>().size() + outcome.all<ErrorEvent>().size(), 1u);
+  ASSERT_FALSE(outcome.events.empty());
+  if (const auto* done = std::get_if<DoneEvent>(&outcome.events.back())) {
+    outcome.result = done->result;
+  } else {
+    EXPECT_TRUE(std::holds_alternative<ErrorEvent>(outcome.events.back()));
+  }
+}
+
+inline Outcome run_file(const std::string& text, const std::string& name, const JobOptions& options,
+                        std::int64_t slice = kSlice) {
+  Job job(to_bytes(text), name, options);
+  Outcome outcome;
+  while (!job.finished()) append(outcome, job.step(slice));
+  finish(outcome, job);
+  return outcome;
+}
+
+inline Outcome run(const Mesh& mesh, const JobOptions& options = {}, std::int64_t slice = kSlice) {
+  return run_file(obj_of(mesh), "model.obj", options, slice);
+}
+
+/// What is wrong with a result; empty when nothing is.
+inline std::string fault_of(const JobResult& result) {
+  std::vector<int> uses(result.mesh.faces.size(), 0);
+  std::set<int> parts;
+  for (const Piece& piece : result.pieces) {
+    if (!piece.check.valid()) return "an invalid net";
+    if (piece.outlines.empty()) return "a piece without an outline";
+    parts.insert(piece.part);
+    for (const int face : piece.net.faces) {
+      ++uses[face];
+      if (result.labels[face] != piece.part) return "a face on a piece of another part";
+    }
+  }
+  if (std::ranges::any_of(uses, [](int count) { return count != 1; })) {
+    return "a face that is not on just one piece";
+  }
+  const auto count = static_cast<int>(parts.size());
+  if (count != result.parts || *parts.rbegin() != count - 1) return "parts without a piece";
+  if (result.sheets.placements.size() != result.pieces.size()) return "pieces without a place";
+  if (result.hash != hash_of(canonical_dump(result))) return "a wrong hash";
+  return "";
+}
+
+inline void expect_sound(const Outcome& outcome) {
+  if (outcome.result == nullptr) {
+    FAIL() << outcome.all<ErrorEvent>().at(0).text;
+  }
+  EXPECT_EQ(fault_of(*outcome.result), "");
+}
+
+}  // namespace foldwright::testing
