@@ -1,16 +1,17 @@
 /** A run can be watched, and ended at any time, and leaves a page that works. */
 import { expect, test } from 'vitest';
 import { cancelAt, stageWords } from './page-clock.js';
+import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
 import type { StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
 
-/** Starts a run that takes long enough to be watched. */
+/** Starts a run that takes minutes, so that it can be watched on any machine. */
 async function beginLongRun(studio: StudioPage): Promise<void> {
   await studio.page.fill('#parts', '2');
   await studio.page.selectOption('#solver', 'genetic');
-  await studio.chooseSample('Rabbit');
+  await studio.choose('ring.obj', objText(wavyRing(24)));
 }
 
 test('model, foldability, net and fitness are drawn while a run goes on', () =>
