@@ -1,6 +1,7 @@
 /** Small models with known nets, laid flat here so that exporters can be tested without the engine. */
 import type { FlapCounts, JobResult, Model, Piece } from '../../web/model/job.js';
 import { pieceLetter } from '../../web/model/piece-letter.js';
+import { cross, dot, length, minus } from './vectors.js';
 
 type Point = [number, number];
 
@@ -8,15 +9,6 @@ interface Mesh {
   vertices: number[][];
   faces: number[][];
 }
-
-const minus = (a: number[], b: number[]): number[] => a.map((value, i) => value - b[i]!);
-const length = (a: number[]): number => Math.hypot(...a);
-const dot = (a: number[], b: number[]): number => a.reduce((sum, v, i) => sum + v * b[i]!, 0);
-const cross = (a: number[], b: number[]): number[] => [
-  a[1]! * b[2]! - a[2]! * b[1]!,
-  a[2]! * b[0]! - a[0]! * b[2]!,
-  a[0]! * b[1]! - a[1]! * b[0]!,
-];
 
 /** The corner of a triangle over a base that is already laid down, on its left. */
 function apex(mesh: Mesh, face: number, corner: number, from: Point, to: Point): Point {

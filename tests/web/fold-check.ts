@@ -5,8 +5,7 @@
 import type { FoldFile, NetFrame } from './fold-file.js';
 import { checkMotion } from './motion-check.js';
 import { overlappingPairs } from './net-overlap.js';
-
-type Vector = number[];
+import { cross, distance, dot, length, minus, type Vector } from './vectors.js';
 
 /** Relative to the longest edge of a face. */
 const lengthTolerance = 1e-6;
@@ -18,16 +17,6 @@ const lineTolerance = 1e-5;
 const leastAngleTolerance = 1e-4;
 /** Folds below this many degrees are flat. */
 const flatAngle = 1e-3;
-
-const minus = (a: Vector, b: Vector): Vector => a.map((value, i) => value - b[i]!);
-const dot = (a: Vector, b: Vector): number => a.reduce((sum, value, i) => sum + value * b[i]!, 0);
-const length = (a: Vector): number => Math.hypot(...a);
-const distance = (a: Vector, b: Vector): number => length(minus(a, b));
-const cross = ([a, b, c]: Vector, [x, y, z]: Vector): Vector => [
-  b! * z! - c! * y!,
-  c! * x! - a! * z!,
-  a! * y! - b! * x!,
-];
 
 /** Normal of a polygon by Newell's method; its length is twice the area. */
 function normalOf(corners: Vector[]): Vector {

@@ -4,26 +4,17 @@
  * on screen.
  */
 import type { FoldFile, FoldMotion, NetFrame } from './fold-file.js';
-
-type Vector = number[];
+import { cross, dot, length, minus, type Vector } from './vectors.js';
 
 /** Of a corner of the folded net from its place, relative to the size of the model. */
 const placeTolerance = 1e-6;
 /** Degrees that edges within a panel may be bent by; their motion leaves them flat. */
 const flatAngle = 1e-3;
 
-const minus = (a: Vector, b: Vector): Vector => a.map((value, i) => value - b[i]!);
-const dot = (a: Vector, b: Vector): number => a.reduce((sum, value, i) => sum + value * b[i]!, 0);
-const length = (a: Vector): number => Math.hypot(...a);
 const unit = (a: Vector): Vector => a.map((value) => value / length(a));
 /** a + x u + y v. */
 const point = (a: Vector, x: number, u: Vector, y: number, v: Vector): Vector =>
   a.map((value, i) => value + x * u[i]! + y * v[i]!);
-const cross = ([a, b, c]: Vector, [x, y, z]: Vector): Vector => [
-  b! * z! - c! * y!,
-  c! * x! - a! * z!,
-  a! * y! - b! * x!,
-];
 
 /** Whether the keys are what a motion consists of; one sentence for each that is not. */
 function checkKeys(net: NetFrame, { root, t, angles, certified }: FoldMotion): string[] {

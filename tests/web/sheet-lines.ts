@@ -1,6 +1,7 @@
 /** What sheets have to show, from the model and the nets of a FOLD file. */
 import type { FoldFile, NetFrame } from './fold-file.js';
 import type { PieceLines, Point } from './sheet-file.js';
+import { cross, dot, minus, type Vector } from './vectors.js';
 
 /** One side of a cut between two faces. */
 export interface CutSide {
@@ -16,15 +17,6 @@ export interface Lines {
   ends(edge: number): [Point, Point];
   sides: CutSide[];
 }
-
-type Vector = number[];
-const minus = (a: Vector, b: Vector): Vector => a.map((value, i) => value - b[i]!);
-const dot = (a: Vector, b: Vector): number => a.reduce((sum, value, i) => sum + value * b[i]!, 0);
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1]! * b[2]! - a[2]! * b[1]!,
-  a[2]! * b[0]! - a[0]! * b[2]!,
-  a[0]! * b[1]! - a[1]! * b[0]!,
-];
 
 const letterOf = (piece: number): string =>
   (piece < 26 ? '' : letterOf(Math.floor(piece / 26) - 1)) + String.fromCharCode(65 + (piece % 26));
