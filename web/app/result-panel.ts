@@ -2,6 +2,7 @@ import type { TimedResult } from '../core/client.js';
 import { find, make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import type { Wishes } from './options-form.js';
+import type { ModelFile } from './model-file.js';
 import { leadSentence, netRemarks, repairRemarks, resultFacts } from './result-words.js';
 import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
@@ -9,7 +10,7 @@ import type { StepsPanel } from './steps-panel.js';
 
 /** A finished run: what was asked for and what came out. */
 export interface FinishedRun {
-  fileName: string;
+  model: ModelFile;
   wishes: Wishes;
   result: TimedResult;
 }
@@ -71,16 +72,16 @@ export class ResultPanel {
    * Replaces the result on the page, but for all sheets after the first; returns its one-sentence
    * summary, or null if a later result was quicker to draw.
    */
-  async show({ fileName, wishes, result }: FinishedRun): Promise<string | null> {
+  async show({ model, wishes, result }: FinishedRun): Promise<string | null> {
     const turn = ++this.turns;
-    const name = stem(fileName);
+    const name = stem(model.name);
     const writer = new ResultWriter({ result, name, margin: wishes.job.margin });
     const sheets = await this.sheets.draw(result, writer);
     if (turn !== this.turns) {
       writer.close();
       return null;
     }
-    this.sheets.show(sheets);
+    this.sheets.show(sheets, result);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;
     this.lead.textContent = lead;
