@@ -11,7 +11,7 @@ function reportOf(parts: number): Report {
     job: { ...defaultOptions, parts },
     files: ['out-1.svg', 'out-2.svg', 'report.json'],
     result: boxAndLidResult(),
-    seconds: { read: 0.1, learn: 1, cluster: 0.2, search: 0.3, fold: 0, paper: 0.1, total: 1.7 },
+    seconds: { read: 0.1, learn: 1, cluster: 0.2, search: 0.3, fold: 0, compact: 0, paper: 0.1, total: 1.7 },
   });
 }
 
