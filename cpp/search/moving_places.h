@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fold/foldable.h"
-#include "search/box_grid.h"
+#include "geometry/box_grid.h"
 #include "search/moving_tree.h"
 #include "unfold/layout.h"
 
