@@ -42,8 +42,8 @@ struct Piece {
   std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`
 };
 
-/// A net as plain values that outlive its job, for another job to start from: a part, or its share,
-/// before anything is cut again for its size. Faces and edges are those of the result's mesh.
+/// A net as plain values that outlive its job, for another job to start from. Faces and edges are
+/// those of the result's mesh.
 struct SavedNet {
   int part = 0;
   Cause cause = Cause::kPart;

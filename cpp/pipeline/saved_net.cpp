@@ -70,7 +70,6 @@ SavedNet save_net(const Component& component, const FoundNet& net) {
 
 FoundNet load_net(const Component& component, int index, const SavedNet& saved) {
   FoundNet net{{index, saved.part, saved.cause, {}}, {}, saved.motion};
-  check(saved.cause != Cause::kSheet);
   net.region.kept = true;
   net.region.panels = panels_of_faces(component.graph, saved.faces);
   net.folds = hinges_of_edges(restrict_to(component.graph, net.region.panels), saved.folds);

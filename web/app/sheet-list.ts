@@ -33,6 +33,8 @@ export class SheetList {
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
   private pieces: readonly Piece[] = [];
+  private marks: MarksBySheet = new Map();
+  private selected: readonly number[] = [];
 
   /** @param onPick is told the part of the piece that was clicked */
   constructor(onPick: (part: number) => void) {
@@ -62,6 +64,7 @@ export class SheetList {
   show(sheets: HTMLLIElement[], { pieces }: JobResult): void {
     this.sheets = sheets;
     this.pieces = pieces;
+    this.marks = new Map();
     this.list.replaceChildren(...sheets.slice(0, 1));
     this.coming = sheets.slice(1);
     this.resize();
@@ -75,8 +78,18 @@ export class SheetList {
     }
   }
 
+  /** Puts sheets of the same result that look otherwise in the place of those on the page. */
+  replace(sheets: HTMLLIElement[]): void {
+    this.sheets = sheets;
+    this.coming = [];
+    this.list.replaceChildren(...sheets);
+    this.mark(this.marks);
+    this.select(this.selected);
+  }
+
   /** Marks lines on the sheets, in place of those that were marked before. */
   mark(marks: MarksBySheet): void {
+    this.marks = marks;
     this.sheets.forEach((sheet, index) => {
       const svg = sheet.querySelector('svg');
       if (svg) markSheet(svg, marks.get(index) ?? []);
@@ -84,7 +97,8 @@ export class SheetList {
   }
 
   /** Lets parts stand out from all others, unless there are none. */
-  select(parts: number[]): void {
+  select(parts: readonly number[]): void {
+    this.selected = parts;
     this.list.toggleAttribute('data-selecting', parts.length > 0);
     const chosen = this.pieces.filter(({ part }) => parts.includes(part));
     const letters = new Set(chosen.map(({ id }) => pieceLetter(id)));

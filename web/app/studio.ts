@@ -12,6 +12,7 @@ import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Wishes } from './options-form.js';
 import { PartsPanel, type Change } from './parts-panel.js';
+import { PrintPanel } from './print-panel.js';
 import { ProgressPanel } from './progress-panel.js';
 import { type FinishedRun, ResultPanel } from './result-panel.js';
 import { RunHistory } from './run-history.js';
@@ -67,7 +68,7 @@ export class Studio {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    this.result = new ResultPanel(downloads, sheets, steps);
+    this.result = new ResultPanel(downloads, sheets, steps, new PrintPanel());
     new HatchSwitch((hatched) => this.workshop.hatch(hatched));
   }
 

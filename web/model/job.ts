@@ -44,6 +44,8 @@ export interface JobOptions {
   /** Of a flap's sides at its base, at most; degrees. */
   flapAngle: number;
   ids: IdPlace;
+  /** Make nets better to craft once they are found: room for flaps, a small outline, strong necks. */
+  compaction: boolean;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -162,13 +164,10 @@ export interface Piece {
   y: number;
 }
 
-/**
- * A net from which another job can start: a part, or its share, before anything is cut again for its
- * size. Faces and edges are those of the model.
- */
+/** A net from which another job can start. Faces and edges are those of the model. */
 export interface SavedNet {
   part: number;
-  cause: Exclude<Piece['cause'], 'sheet'>;
+  cause: Piece['cause'];
   faces: Int32Array;
   /** The first edge of every line along which it folds. */
   folds: Int32Array;
@@ -225,7 +224,7 @@ export interface JobResult {
   hash: string;
 }
 
-export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
+export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {

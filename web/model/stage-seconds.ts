@@ -6,6 +6,8 @@ export interface StageSeconds {
   search: number;
   /** Looking for folding motions. */
   fold: number;
+  /** Making nets better to craft. */
+  compact: number;
   paper: number;
   total: number;
 }
@@ -18,6 +20,7 @@ export function addSeconds(one: StageSeconds, other: StageSeconds): StageSeconds
     cluster: one.cluster + other.cluster,
     search: one.search + other.search,
     fold: one.fold + other.fold,
+    compact: one.compact + other.compact,
     paper: one.paper + other.paper,
     total: one.total + other.total,
   };
