@@ -109,10 +109,22 @@ class Writer {
 /// Where an id may go: in a band beside a base, from `from` in direction `along`.
 struct Band {
   Vec2 from, along;
-  Vec2 across;    ///< unit vector away from the base
-  double length;  ///< of the base
-  double depth;   ///< of the band; 0: no end
+  Vec2 across;                        ///< unit vector away from the base
+  double length;                      ///< of the base
+  double depth;                       ///< of the band; 0: no end
+  std::span<const Vec2> within = {};  ///< a convex polygon, counter-clockwise; empty: anywhere
 };
+
+/// Whether a box lies within a convex polygon, or there is none.
+bool is_within(const TextBox& box, std::span<const Vec2> polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& a = polygon[i];
+    const Vec2 side = polygon[(i + 1) % polygon.size()] - a;
+    const auto is_left = [&](const Vec2& p) { return cross(side, p - a) >= 0; };
+    if (!std::ranges::all_of(box.corners(), is_left)) return false;
+  }
+  return true;
+}
 
 /// Writes a text in the band as large as it goes, near its middle, close to the base or in the
 /// middle of a band of some depth.
@@ -128,7 +140,8 @@ bool write_in_band(Writer& writer, const Band& band, const std::string& text) {
       const double shift = (band.length - width) * step / (kPlacesPerEdge - 1);
       const Vec2 centre = band.from + (0.5 * band.length + shift) * band.along + away * band.across;
       const TextBox box = box_around(text, size, centre, band.along, kIdClearance);
-      if (!writer.is_free(box)) continue;
+      // A narrow flap has no room beside its slanted sides, which a box need not touch.
+      if (!is_within(box, band.within) || !writer.is_free(box)) continue;
       writer.write(text, size, box);
       return true;
     }
@@ -174,8 +187,12 @@ Band inside_band(const SeamSide& side) {
 
 Band flap_band(const SeamSide& side, const Flap& flap) {
   const Vec2 along = (side.to - side.from).normalized();
-  return {flap.corners[0], along, Vec2(along.y(), -along.x()),
-          (flap.corners[3] - flap.corners[0]).norm(), flap.height};
+  return {flap.corners[0],
+          along,
+          Vec2(along.y(), -along.x()),
+          (flap.corners[3] - flap.corners[0]).norm(),
+          flap.height,
+          flap.corners};
 }
 
 /// Writes one side's id where it is wanted; false if it is nowhere.

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
 #include "geometry/convex2.h"
 #include "meshes.h"
@@ -45,10 +48,30 @@ bool crosses(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
   return false;
 }
 
+bool is_inside(std::span<const Vec2> polygon, const Vec2& p) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2& from = polygon[k];
+    if (cross(polygon[(k + 1) % polygon.size()] - from, p - from) < 0) return false;
+  }
+  return true;
+}
+
+/// Whether a point lies on one of the faces or flaps.
+bool is_on(const Net& net, const std::vector<Flap>& flaps, const Vec2& p) {
+  return std::ranges::any_of(
+             net.corners,
+             [&](const std::array<int, 3>& face) {
+               const auto& [a, b, c] = face;
+               return is_inside(std::array{net.vertices[a], net.vertices[b], net.vertices[c]}, p);
+             }) ||
+         std::ranges::any_of(flaps, [&](const Flap& flap) { return is_inside(flap.corners, p); });
+}
+
 void expect_clear(const Net& net, const std::vector<Flap>& flaps,
                   const std::vector<Label>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const std::vector<Vec2> box = ink(labels[i]);
+    EXPECT_TRUE(is_on(net, flaps, labels[i].centre)) << labels[i].text;
     EXPECT_GT(labels[i].angle, -1.5707963268);
     EXPECT_LE(labels[i].angle, 1.5707963268);
     for (const NetEdge& edge : net.edges) {
@@ -85,6 +108,15 @@ TEST(PlaceLabels, KeepOffLinesAndEachOther) {
       EXPECT_GT(plan.printed, 0);
     }
   }
+}
+
+TEST(PlaceLabels, KeepOnNarrowFlaps) {
+  // At this size many flaps are lower and narrower than the texts of their edges.
+  const Mesh mesh = bumpy_sphere(300);
+  const std::vector<Net> nets = {net_of(mesh, 75)};
+  const FlapPlan flaps = place_flaps(mesh, nets, {});
+  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kFlap);
+  expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
 }
 
 TEST(PlaceLabels, WriteEachIdAtBothSidesOrListIt) {

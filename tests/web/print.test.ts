@@ -109,7 +109,7 @@ describe('the legend', () => {
     expect(await words(cubeResult())).not.toContain('valley fold');
     expect((await words(slitResult())).join()).not.toContain('flap');
     expect(await words(flapResult())).toEqual(
-      expect.arrayContaining(['cut', 'valley fold', 'flap: for the glue']),
+      expect.arrayContaining(['cut', 'valley fold', 'flap for glue']),
     );
   });
 

@@ -99,8 +99,13 @@ function checkTexts(letter: string, { cuts, mountains, valleys, texts }: PieceLi
   return faults;
 }
 
-/** Whether the walks go along an edge, straight or around a flap on its outer side. */
+/**
+ * Whether the walks go along an edge, straight or around a flap on its outer side. Corners of a wedge
+ * may be closer than the tolerance: straight lines are looked for first, or such an edge would be
+ * taken for a flap of the one beside it.
+ */
 function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[] | null {
+  let around: Point[] | null = null;
   for (const walk of walks) {
     for (let i = 0; i < walk.length; ++i) {
       if (distance(walk[i]!, from) > tolerance) continue;
@@ -108,11 +113,11 @@ function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[]
       const end = ahead.findIndex((point) => distance(point, to) <= tolerance);
       if (end === 0) return 'straight';
       if (end > 0 && ahead.slice(0, end).every((point) => cross(from, to, point) < tolerance)) {
-        return [from, ...ahead.slice(0, end + 1)];
+        around ??= [from, ...ahead.slice(0, end + 1)];
       }
     }
   }
-  return null;
+  return around;
 }
 
 function takeFold(folds: [Point, Point][], from: Point, to: Point): boolean {
