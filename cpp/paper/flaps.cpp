@@ -12,8 +12,6 @@
 namespace foldwright {
 namespace {
 
-constexpr double kWantedLength = 4;  // mm; shorter edges hold by their neighbours
-
 // Flaps may touch what is beside them in a point of the outline, up to rounding.
 constexpr double kTouching = 1e-6;
 

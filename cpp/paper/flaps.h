@@ -17,6 +17,9 @@ enum class FlapSide {
   kBoth
 };
 
+/// Shorter cut edges hold by their neighbours, mm.
+inline constexpr double kWantedLength = 4;
+
 struct FlapOptions {
   FlapSide side = FlapSide::kOne;
   FlapShape shape = {};

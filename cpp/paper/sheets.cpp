@@ -13,6 +13,18 @@ namespace {
 // The largest piece stays this share below the printable size, so that rounding cannot clip it.
 constexpr double kFitSlack = 1 - 1e-9;
 
+// Printers leave up to this much of the edge white, unless the margin says that this one does not.
+constexpr double kUnprinted = 4;
+
+// Rulers with their figures, and two lines of text.
+constexpr double kRuledBand = 5.5;
+
+/// The part of a sheet for pieces.
+Extent room_on(const Extent& sheet, const SheetOptions& options) {
+  const double taken = ruled_margin(options) + options.margin;
+  return {sheet.width - taken, sheet.height - taken};
+}
+
 /// Among the turns that fit, the one with the smallest box; wider than high among near equals,
 /// since rows waste less with low pieces.
 Turn choose_turn(std::span<const Turn> turns, const Extent& room) {
@@ -45,7 +57,7 @@ Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, doub
 
 SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
                         const SheetOptions& options) {
-  const Extent room = {sheet.width - 2 * options.margin, sheet.height - 2 * options.margin};
+  const Extent room = room_on(sheet, options);
   Packing packing = pack(pieces, room, options.gap);
   // Rarely, boxes happen to fit better than what a greedy packing of shapes comes to.
   Packing rows = pack_in_rows(pieces, room, options.gap);
@@ -57,8 +69,8 @@ SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
   layout.sheet_height = sheet.height;
   layout.sheet_count = packing.sheet_count;
   for (Placement& place : layout.placements) {
-    place.x += options.margin;
-    place.y += options.margin;
+    place.x += ruled_margin(options);
+    place.y += ruled_margin(options);
   }
   double area = 0;
   for (const Footprint& piece : pieces) area += piece.face_area;
@@ -76,8 +88,12 @@ std::vector<Vec2> Footprint::points() const {
   return all;
 }
 
+double ruled_margin(const SheetOptions& options) {
+  return std::max(options.margin, std::min(options.margin, kUnprinted) + kRuledBand);
+}
+
 Extent printable(const SheetOptions& options) {
-  const Extent room = {options.width - 2 * options.margin, options.height - 2 * options.margin};
+  const Extent room = room_on({options.width, options.height}, options);
   if (room.width <= 0 || room.height <= 0) {
     throw InputError("bad-margin",
                      "margins leave nothing of the sheet: paper and margin do not fit");

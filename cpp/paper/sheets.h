@@ -46,7 +46,11 @@ struct SheetLayout {
   std::vector<RigidMotion2> turns;
 };
 
-/// The part of an upright sheet within the margins.
+/// What stays free at the left and the lower edge, in millimetres: the margin, or more where that
+/// has no room for the rulers and the title that are printed there.
+double ruled_margin(const SheetOptions& options);
+
+/// The part of an upright sheet for pieces: within the margins, and beside rulers and title.
 /// \throw InputError if the margins leave nothing of it
 Extent printable(const SheetOptions& options);
 

@@ -55,6 +55,7 @@ struct JobOptions {
   SheetOptions sheet = {};
   FlapOptions flaps = {};
   IdPlace ids = IdPlace::kBoth;
+  bool compaction = true;  ///< make nets better to craft after they were found
 };
 
 /// \throw InputError that names the first option out of its range

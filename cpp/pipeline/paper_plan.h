@@ -23,4 +23,8 @@ struct PaperPlan {
 /// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
 PaperPlan plan_paper(const JobState& state);
 
+/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out.
+/// With a number of sheets as costly as the plan. Throws what it throws.
+double finished_scale(const JobState& state);
+
 }  // namespace foldwright

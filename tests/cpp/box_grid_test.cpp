@@ -1,4 +1,4 @@
-#include "search/box_grid.h"
+#include "geometry/box_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,8 @@ export interface SheetText {
   /** Degrees, counter-clockwise. */
   angle: number;
   size: number;
+  /** Where the file tells it; mm. */
+  width?: number;
 }
 
 /** All that is drawn of one piece. */
@@ -22,20 +24,32 @@ export interface PieceLines {
   texts: SheetText[];
 }
 
+/** What helps to print: rulers, a box, the title and a legend. */
+export interface GuideLines {
+  strokes: Point[][];
+  texts: SheetText[];
+}
+
 export interface SheetFile {
   width: number;
   height: number;
   /** By letter. */
   pieces: Map<string, PieceLines>;
+  guide: GuideLines;
 }
+
+/** Of a letter of Helvetica, over the size of the font. */
+const meanWidth = 0.55;
 
 interface Element {
   'data-piece': string;
+  'data-text'?: string;
   d: string;
   '#text': string;
   x: string;
   y: string;
   'font-size': string;
+  'text-anchor': string;
   transform?: string;
 }
 
@@ -92,17 +106,24 @@ export function readSheet(source: string): SheetFile {
       }
     }
   }
-  for (const element of group('id')?.text ?? []) {
+  const textOf = (element: Element): SheetText => {
     const turn = /^rotate\((\S+) (\S+) (\S+)\)$/.exec(
       element.transform ?? `rotate(0 ${element.x} ${element.y})`,
     );
     if (turn?.[2] !== element.x || turn[3] !== element.y) throw new Error('a text is moved');
-    pieceOf(element).texts.push({
-      text: element['#text'],
-      at: up(`${element.x} ${element.y}`),
-      angle: -Number(turn[1]),
-      size: Number(element['font-size']),
-    });
-  }
-  return { width, height, pieces };
+    const [angle, size, text] = [-Number(turn[1]), Number(element['font-size']), element['#text']];
+    const [x, y] = up(`${element.x} ${element.y}`);
+    const half = element['text-anchor'] === 'start' ? (meanWidth * size * text.length) / 2 : 0;
+    const on = (angle * Math.PI) / 180;
+    return { text, at: [x + half * Math.cos(on), y + half * Math.sin(on)], angle, size };
+  };
+  for (const element of group('id')?.text ?? []) pieceOf(element).texts.push(textOf(element));
+  const guide: GuideLines = {
+    strokes: (group('guide')?.path ?? [])
+      .filter((element) => !element['data-text'])
+      .flatMap(walks)
+      .map((walk) => walk.replace('Z', '').split('L').map(up)),
+    texts: (group('guide')?.text ?? []).map(textOf),
+  };
+  return { width, height, pieces, guide };
 }

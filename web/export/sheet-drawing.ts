@@ -1,7 +1,10 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { pieceLetter } from '../model/piece-letter.js';
-import type { Label } from './label.js';
+import type { PrintOptions } from '../model/print-options.js';
+import { tellAngles, type AngledFold } from './fold-angles.js';
+import type { Furniture } from './furniture.js';
 import type { Point, Segment } from './point.js';
+import { centredLine, type TextLine } from './text-line.js';
 
 /** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
 export interface PieceDrawing {
@@ -10,8 +13,10 @@ export interface PieceDrawing {
   cuts: Point[][];
   mountains: Segment[];
   valleys: Segment[];
-  /** Its name, and the ids of its cut edges. */
-  labels: Label[];
+  /** Outlines of its flaps. */
+  flaps: Point[][];
+  /** Its name, the ids of its cut edges, and the angles of its folds. */
+  texts: TextLine[];
 }
 
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
@@ -19,11 +24,7 @@ export interface SheetDrawing {
   width: number;
   height: number;
   pieces: PieceDrawing[];
-}
-
-export interface DrawingOptions {
-  /** Folds flatter than this many degrees are not drawn; default 3. */
-  flatFold?: number;
+  furniture: Furniture;
 }
 
 type At = (vertex: number) => Point;
@@ -73,31 +74,45 @@ function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): S
   return segments;
 }
 
-function drawPiece(piece: Piece, flatFold: number): PieceDrawing {
+/** The folds between faces that are drawn, with their angles. */
+function angledFolds(piece: Piece, flatFold: number, at: At): AngledFold[] {
+  const folds: AngledFold[] = [];
+  piece.foldAngles.forEach((angle, edge) => {
+    if (!'MV'.includes(piece.assignments[edge]!) || Math.abs(angle) < flatFold) return;
+    folds.push({ line: [at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)], angle });
+  });
+  return folds;
+}
+
+function sidesOf(walk: readonly Point[]): Segment[] {
+  return walk.map((from, i) => [from, walk[(i + 1) % walk.length]!]);
+}
+
+function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
-  return {
-    letter: pieceLetter(piece.id),
-    cuts: drawCuts(piece, at),
-    mountains: drawFolds(piece, 'M', flatFold, at),
-    valleys: drawFolds(piece, 'V', flatFold, at),
-    labels: piece.labels.map((label) => ({
-      ...label,
-      x: label.x + piece.x,
-      y: label.y + piece.y,
-    })),
-  };
+  const cuts = drawCuts(piece, at);
+  const mountains = drawFolds(piece, 'M', flatFold, at);
+  const valleys = drawFolds(piece, 'V', flatFold, at);
+  const texts = piece.labels.map((label) =>
+    centredLine({ ...label, x: label.x + piece.x, y: label.y + piece.y }),
+  );
+  if (foldAngles) {
+    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys];
+    texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
+  }
+  const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
+  return { letter: pieceLetter(piece.id), cuts, mountains, valleys, flaps, texts };
 }
 
-/** The drawing of sheet number `sheet`, counted from 0. */
-export function drawSheet(
+/** The pieces on sheet number `sheet`, counted from 0. */
+export function drawPieces(
   result: JobResult,
   sheet: number,
-  { flatFold = 3 }: DrawingOptions = {},
-): SheetDrawing {
-  const { width, height } = result.sheets[sheet]!;
+  options: PrintOptions,
+): PieceDrawing[] {
   const pieces = result.pieces.filter((piece) => piece.sheet === sheet);
-  return { width, height, pieces: pieces.map((piece) => drawPiece(piece, flatFold)) };
+  return pieces.map((piece) => drawPiece(piece, options));
 }

@@ -20,6 +20,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   flapHeight: 5,
   flapAngle: 60,
   ids: 'both',
+  compaction: true,
   paperWidth: 210,
   paperHeight: 297,
   orientation: 'auto',

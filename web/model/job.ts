@@ -44,6 +44,8 @@ export interface JobOptions {
   /** Of a flap's sides at its base, at most; degrees. */
   flapAngle: number;
   ids: IdPlace;
+  /** Make nets better to craft once they are found: room for flaps, a small outline, strong necks. */
+  compaction: boolean;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -191,7 +193,7 @@ export interface JobResult {
   hash: string;
 }
 
-export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
+export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {
