@@ -61,9 +61,15 @@ class SearchStage : public Stage {
 
   void begin(JobState& state, TaskQueue& queue, Events&) override {
     trees_.emplace(state);
+    std::vector<Region> regions;
     for (int part = 0; part < trees_->part_count(); ++part) {
-      start(state, queue, trees_->region(state, part));
+      regions.push_back(trees_->region(state, part));
     }
+    // The largest first: one that came last would keep a single worker busy.
+    std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
+      return a.panels.size() > b.panels.size();
+    });
+    for (Region& region : regions) start(state, queue, std::move(region));
   }
 
   void complete(JobState& state, TaskQueue& queue, int task, TaskResult result,
