@@ -9,6 +9,7 @@
 #include "options.h"
 #include "pipeline/job.h"
 #include "pipeline/wire.h"
+#include "start.h"
 #include "values.h"
 
 namespace {
@@ -19,6 +20,7 @@ using foldwright::to_array;
 
 EMSCRIPTEN_DECLARE_VAL_TYPE(BytesValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(OptionsValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(StartValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(TaskValue);
 
@@ -43,9 +45,13 @@ class SurfaceHandle {
 /// A job behind a boundary that no exception crosses: what goes wrong becomes its one event.
 class JobHandle {
  public:
-  JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options) {
+  JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options,
+            const StartValue& start) {
     try {
-      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options));
+      std::optional<foldwright::JobStart> from;
+      if (!start.isNull()) from = foldwright::start_from(start);
+      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options),
+                   std::move(from));
     } catch (const std::bad_alloc&) {
       failure_ = {"out-of-memory", "the model needs more memory than there is"};
     } catch (const std::exception& error) {
@@ -115,8 +121,8 @@ class TaskHandle {
 };
 
 JobHandle* create_job(const BytesValue& bytes, const std::string& file_name,
-                      const OptionsValue& options) {
-  return new JobHandle(bytes, file_name, options);
+                      const OptionsValue& options, const StartValue& start) {
+  return new JobHandle(bytes, file_name, options, start);
 }
 
 SurfaceHandle* create_surface(const BytesValue& bytes) {
@@ -133,6 +139,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   using emscripten::allow_raw_pointers;
   emscripten::register_type<BytesValue>("Uint8Array");
   emscripten::register_type<OptionsValue>("import('../../model/job.js').JobOptions");
+  emscripten::register_type<StartValue>("import('../../model/job.js').JobStart | null");
   emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");
   emscripten::register_type<TaskValue>(
       "{ id: number; surface: number; bytes: Uint8Array } | undefined");

@@ -13,15 +13,6 @@ namespace {
 
 using emscripten::val;
 
-constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
-                                   {"no-net", Cause::kNoNet},
-                                   {"no-motion", Cause::kNoMotion},
-                                   {"sheet", Cause::kSheet}};
-constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
-                                       {"no", Folding::kNone},
-                                       {"line", Folding::kLine},
-                                       {"waypoints", Folding::kWaypoints}};
-
 template <class T>
 val copied(const char* array, const std::vector<T>& values) {
   return val::global(array).new_(emscripten::typed_memory_view(values.size(), values.data()));
@@ -204,6 +195,18 @@ val pieces_value(const JobResult& result) {
   return array;
 }
 
+val saved_net_value(const SavedNet& net) {
+  val object = val::object();
+  object.set("part", net.part);
+  object.set("cause", name_of<Cause>(kCauses, net.cause));
+  object.set("faces", ints(net.faces));
+  object.set("folds", ints(net.folds));
+  object.set("foldable", name_of<Folding>(kFoldings, net.motion.kind));
+  object.set("times", doubles(net.motion.times));
+  object.set("shares", list(net.motion.shares, doubles));
+  return object;
+}
+
 val sheets_value(const SheetLayout& layout) {
   val array = val::array();
   for (int i = 0; i < layout.sheet_count; ++i) {
@@ -226,6 +229,7 @@ val result_value(const JobResult& result) {
   object.set("labels", ints(result.labels));
   object.set("parts", result.parts);
   object.set("pieces", pieces_value(result));
+  object.set("nets", list(result.nets, saved_net_value));
   object.set("sheets", sheets_value(result.sheets));
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);

@@ -25,10 +25,12 @@ Task TaskQueue::take() {
   return task;
 }
 
-Job::Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options) {
+Job::Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options,
+         std::optional<JobStart> start) {
   state_.file = std::move(file);
   state_.file_name = std::move(file_name);
   state_.options = options;
+  state_.start = std::move(start);
   stages_.push_back(make_read_stage());
   stages_.push_back(make_learn_stage());
   stages_.push_back(make_cluster_stage());

@@ -5,6 +5,7 @@
 #include "paper/outline.h"
 #include "pipeline/model_size.h"
 #include "pipeline/paper_plan.h"
+#include "pipeline/saved_net.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
@@ -114,6 +115,9 @@ class PaperStage : public Stage {
       result.pieces.push_back(make_piece(state, mesh, plan.nets[i], std::move(plan.flat[i])));
       result.pieces.back().flaps = std::move(plan.flaps.flaps[i]);
       result.pieces.back().labels = std::move(plan.labels.labels[i]);
+    }
+    for (const FoundNet& net : state.nets) {
+      result.nets.push_back(save_net(state.components[net.region.component], net));
     }
     add_size_notices(state);
     result.mesh = state.surface->mesh;

@@ -42,6 +42,16 @@ struct Piece {
   std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`
 };
 
+/// A net as plain values that outlive its job, for another job to start from. Faces and edges are
+/// those of the result's mesh.
+struct SavedNet {
+  int part = 0;
+  Cause cause = Cause::kPart;
+  std::vector<int> faces;  ///< ascending
+  std::vector<int> folds;  ///< the first mesh edge of every hinge that folds
+  FoldMotion motion;       ///< its shares are in the order of `folds`
+};
+
 struct JobResult {
   Mesh mesh;  ///< repaired, simplified if asked for, model units
   std::vector<Repair> repairs;
@@ -49,6 +59,7 @@ struct JobResult {
   std::vector<int> labels;        ///< per face of the mesh: its part
   int parts = 0;
   std::vector<Piece> pieces;  ///< in the order of gluing
+  std::vector<SavedNet> nets;
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;

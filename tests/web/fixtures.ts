@@ -201,6 +201,7 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
       sheet: i,
       labels: piece.labels.map((label) => ({ ...label, text: pieceLetter(i) })),
     })),
+    nets: [],
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
     efficiency: 0.25,
     scale: 1,

@@ -164,6 +164,36 @@ export interface Piece {
   y: number;
 }
 
+/** A net from which another job can start. Faces and edges are those of the model. */
+export interface SavedNet {
+  part: number;
+  cause: Piece['cause'];
+  faces: Int32Array;
+  /** The first edge of every line along which it folds. */
+  folds: Int32Array;
+  foldable: Piece['foldable'];
+  /** Of the keys of its motion; empty without one. */
+  times: Float64Array;
+  /** Per key, the share of its angle that each fold has then. */
+  shares: Float64Array[];
+}
+
+/**
+ * Makes some parts that touch into another number of parts: one into several splits it, two into one
+ * merges them, one into one searches it again. Parts are those of the result before.
+ */
+export interface Edit {
+  parts: number[];
+  into: number;
+}
+
+/** An earlier result and what to change in it. No part is named by two edits. */
+export interface JobStart {
+  labels: Int32Array;
+  nets: SavedNet[];
+  edits: Edit[];
+}
+
 export interface Sheet {
   width: number;
   height: number;
@@ -179,6 +209,7 @@ export interface JobResult {
   parts: number;
   /** In the order of gluing. */
   pieces: Piece[];
+  nets: SavedNet[];
   sheets: Sheet[];
   /** Area of the faces over the area of the sheets. */
   efficiency: number;
