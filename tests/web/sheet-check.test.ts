@@ -12,7 +12,10 @@ interface Written {
   sheets: SheetFile[];
   sources: string[];
   fold: FoldFile;
-  report: { ids: IdsReport; flaps: { wanted: number; full: number; shrunk: number } };
+  report: {
+    ids: IdsReport;
+    flaps: { wanted: number; full: number; shrunk: number; strips: number; taped: number };
+  };
 }
 
 /** Runs one model and reads back what it wrote. */
@@ -37,14 +40,14 @@ const cases = [
   ['organic/cat_300.obj', '--height', '150'],
   ['organic/hand_574.obj', '--height', '150', '--flap-side', 'alternate'],
   ['organic/koala_574.obj', '--height', '150', '--paper', 'Letter', '--flap-side', 'both'],
-  ['organic/penguin_1000.obj', '--height', '150', '--ids', 'flap'],
+  ['organic/penguin_1000.obj', '--height', '150', '--ids', 'flap', '--glue-strips', 'free'],
   ['organic/cat_300.obj', '--height', '300', '--margin', '5', '--ids', 'inside'],
   ['academic/bunny-348.obj', '--sheets', '2', '--flaps', '7', '--flap-angle', '45'],
 ];
 
 describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
   it.each(cases)(
-    'can be cut, folded and glued: %s %s %s %s %s',
+    'can be cut, folded and glued: %s %s %s %s %s %s %s',
     async (model, ...args) => {
       const path = join(shared!, 'models', model);
       expect(existsSync(path)).toBe(true);
@@ -52,6 +55,9 @@ describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
       const at = args.indexOf('--margin');
       const margin = at < 0 ? 10 : Number(args[at + 1]);
       expect(checkSheets(sheets, fold, report.ids, margin)).toEqual([]);
+      const drawn = sheets.reduce((sum, sheet) => sum + sheet.strips.size, 0);
+      expect(drawn).toBe(report.flaps.strips);
+      expect(drawn > 0).toBe(args.includes('--glue-strips'));
       expect(report.flaps.full + report.flaps.shrunk).toBeGreaterThan(report.flaps.wanted / 2);
     },
     90_000,

@@ -19,6 +19,8 @@ export interface PieceLines {
   cuts: Point[][];
   mountains: [Point, Point][];
   valleys: [Point, Point][];
+  /** Lines from numbers to edges, and marks for tape. */
+  guides: [Point, Point][];
   texts: SheetText[];
 }
 
@@ -27,6 +29,8 @@ export interface SheetFile {
   height: number;
   /** By letter. */
   pieces: Map<string, PieceLines>;
+  /** Loose strips for glue, by the number of their edge. */
+  strips: Map<number, PieceLines>;
 }
 
 interface Element {
@@ -64,10 +68,15 @@ export function readSheet(source: string): SheetFile {
     throw new Error('the sheet is not in mm');
   }
   const pieces = new Map<string, PieceLines>();
+  const strips = new Map<number, PieceLines>();
+  const linesOf = <Key>(all: Map<Key, PieceLines>, key: Key): PieceLines => {
+    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], guides: [], texts: [] };
+    if (!all.has(key)) all.set(key, fresh);
+    return all.get(key)!;
+  };
   const pieceOf = ({ 'data-piece': letter }: Element): PieceLines => {
-    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], texts: [] };
-    if (!pieces.has(letter)) pieces.set(letter, fresh);
-    return pieces.get(letter)!;
+    const strip = /^strip-(\d+)$/.exec(letter);
+    return strip ? linesOf(strips, Number(strip[1])) : linesOf(pieces, letter);
   };
   const up = (pair: string): Point => {
     const [x, y] = pair.trim().split(' ').map(Number);
@@ -84,6 +93,7 @@ export function readSheet(source: string): SheetFile {
   for (const [id, kind] of [
     ['fold-mountain', 'mountains'],
     ['fold-valley', 'valleys'],
+    ['guide', 'guides'],
   ] as const) {
     for (const element of group(id)?.path ?? []) {
       for (const walk of walks(element)) {
@@ -104,5 +114,5 @@ export function readSheet(source: string): SheetFile {
       size: Number(element['font-size']),
     });
   }
-  return { width, height, pieces };
+  return { width, height, pieces, strips };
 }

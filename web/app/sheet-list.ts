@@ -1,6 +1,5 @@
 import type { JobResult } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture } from '../view/sheet-picture.js';
@@ -13,10 +12,7 @@ import type { MarksBySheet } from './step-marks.js';
 function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
   const pieces = result.pieces.filter((piece) => piece.sheet === index);
   const paints = new Map(
-    pieces.map(({ id, part }) => [
-      pieceLetter(id),
-      { colour: partColour(part), hatch: partHatch(part) },
-    ]),
+    pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
   );
   const number = `Sheet ${index + 1} of ${result.sheets.length}`;
   const names = [...paints.keys()].join(', ');

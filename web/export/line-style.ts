@@ -7,7 +7,7 @@ export interface LineStyle {
   dash: readonly number[];
 }
 
-export type LineKind = 'cut' | 'mountain' | 'valley';
+export type LineKind = 'cut' | 'mountain' | 'valley' | 'guide';
 
 /**
  * The kinds tell apart by their dashes, so that a black and white print is enough; folds are thin
@@ -16,6 +16,7 @@ export type LineKind = 'cut' | 'mountain' | 'valley';
 export const lineStyles: Readonly<Record<LineKind, LineStyle>> = {
   cut: { width: 0.25, colour: '#000000', dash: [] },
   mountain: { width: 0.18, colour: '#555555', dash: [1.5, 0.8] },
+  guide: { width: 0.1, colour: '#555555', dash: [] },
   valley: { width: 0.18, colour: '#555555', dash: [2.4, 0.6, 0.3, 0.6] },
 };
 

@@ -146,6 +146,7 @@ export async function writePdf(result: JobResult, options: PdfOptions): Promise<
     const page = document.addPage([sheet.width * scale, sheet.height * scale]);
     for (const piece of sheet.pieces) {
       page.pushOperators(
+        ...lines('guide', piece.guides, false),
         ...lines('mountain', piece.mountains, false),
         ...lines('valley', piece.valleys, false),
         ...lines('cut', piece.cuts, true),

@@ -1,15 +1,20 @@
-import type { JobResult, Piece } from '../model/job.js';
-import { pieceLetter } from '../model/piece-letter.js';
+import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { Label } from './label.js';
 import type { Point, Segment } from './point.js';
 
-/** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
+/**
+ * The lines of one piece, or of a loose strip, where they lie on the sheet; mm, y up, from the
+ * sheet's lower left.
+ */
 export interface PieceDrawing {
+  /** The piece's name; of a strip `strip-` and the number of its edge. */
   letter: string;
   /** Closed boundary walks around faces and flaps; slits are walked there and back. */
   cuts: Point[][];
   mountains: Segment[];
   valleys: Segment[];
+  /** Lines from numbers to their edges, and strokes across edges to be joined by tape. */
+  guides: Segment[];
   /** Its name, and the ids of its cut edges. */
   labels: Label[];
 }
@@ -73,21 +78,56 @@ function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): S
   return segments;
 }
 
+/** Points of pairs of coordinates, moved. */
+function pointsOf(coordinates: Float64Array, dx: number, dy: number): Point[] {
+  return Array.from({ length: coordinates.length / 2 }, (_, i): Point => [
+    coordinates[2 * i]! + dx,
+    coordinates[2 * i + 1]! + dy,
+  ]);
+}
+
+function segmentsOf(coordinates: Float64Array, dx: number, dy: number): Segment[] {
+  const points = pointsOf(coordinates, dx, dy);
+  return Array.from({ length: points.length / 2 }, (_, i): Segment => [
+    points[2 * i]!,
+    points[2 * i + 1]!,
+  ]);
+}
+
+function drawLabel({ text, x, y, angle, size }: PieceLabel, dx: number, dy: number): Label {
+  return { text, x: x + dx, y: y + dy, angle, size };
+}
+
+function drawGuides({ labels, tapeMarks, x, y }: Piece): Segment[] {
+  const leaders = labels.flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
+  return [...leaders, ...segmentsOf(tapeMarks, x, y)];
+}
+
+function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing {
+  const folds = segmentsOf(fold, 0, 0);
+  const isValley = foldAngle > 0;
+  return {
+    letter: `strip-${id}`,
+    cuts: [pointsOf(outline, 0, 0)],
+    mountains: isValley ? [] : folds,
+    valleys: isValley ? folds : [],
+    guides: [],
+    labels: [drawLabel(label, 0, 0)],
+  };
+}
+
 function drawPiece(piece: Piece, flatFold: number): PieceDrawing {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
   return {
-    letter: pieceLetter(piece.id),
+    letter: piece.name,
     cuts: drawCuts(piece, at),
     mountains: drawFolds(piece, 'M', flatFold, at),
     valleys: drawFolds(piece, 'V', flatFold, at),
-    labels: piece.labels.map((label) => ({
-      ...label,
-      x: label.x + piece.x,
-      y: label.y + piece.y,
-    })),
+    guides: drawGuides(piece),
+    labels: piece.labels.map((label) => drawLabel(label, piece.x, piece.y)),
   };
 }
 
@@ -99,5 +139,10 @@ export function drawSheet(
 ): SheetDrawing {
   const { width, height } = result.sheets[sheet]!;
   const pieces = result.pieces.filter((piece) => piece.sheet === sheet);
-  return { width, height, pieces: pieces.map((piece) => drawPiece(piece, flatFold)) };
+  const strips = result.strips.filter((strip) => strip.sheet === sheet);
+  return {
+    width,
+    height,
+    pieces: [...pieces.map((piece) => drawPiece(piece, flatFold)), ...strips.map(drawStrip)],
+  };
 }

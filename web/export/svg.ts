@@ -79,6 +79,13 @@ class SheetWriter {
     return `<text data-piece="${letter}" ${place}>${label.text}</text>`;
   }
 
+  guides(): string[] {
+    return this.drawing.pieces.flatMap(({ letter, guides }) => {
+      const data = guides.map(([from, to]) => `M${this.at(from)}L${this.at(to)}`);
+      return this.path('guide', letter, data);
+    });
+  }
+
   labels(): string[] {
     return this.drawing.pieces.flatMap(({ letter, labels }) =>
       labels.map((label) => this.label(letter, label)),
@@ -108,7 +115,7 @@ export function writeSvg(result: JobResult, sheet: number, options: DrawingOptio
     '<?xml version="1.0" encoding="UTF-8"?>',
     `<svg xmlns="http://www.w3.org/2000/svg" ${size}>`,
     group('texture', []),
-    group('guide', []),
+    group('guide', writer.guides()),
     group('flap', []),
     group('fold-mountain', writer.mountains()),
     group('fold-valley', writer.valleys()),
