@@ -40,7 +40,7 @@ bool LabelSpace::is_free(const TextBox& box) const {
   });
   if (!is_free) return false;
   text_grid_.visit(reach, [&](int i) {
-    is_free = !convex_overlap(corners, texts_[i], 0);
+    is_free = !convex_overlap(corners, texts_[i].corners(), 0);
     return is_free;
   });
   return is_free;
@@ -55,16 +55,15 @@ bool LabelSpace::is_open(const Stroke& stroke) const {
   });
   if (!is_open) return false;
   text_grid_.visit(reach, [&](int i) {
-    const std::array<Vec2, 4>& text = texts_[i];
-    for (int k = 0; k < 4; ++k) is_open = is_open && !crosses(stroke, {text[k], text[(k + 1) % 4]});
+    is_open = !meets(texts_[i], stroke);
     return is_open;
   });
   return is_open;
 }
 
 void LabelSpace::take(const TextBox& box) {
-  texts_.push_back(box.corners());
-  text_grid_.insert(static_cast<int>(texts_.size()) - 1, box_of(texts_.back()));
+  texts_.push_back(box);
+  text_grid_.insert(static_cast<int>(texts_.size()) - 1, box_of(box.corners()));
 }
 
 void LabelSpace::take(const Stroke& stroke) { add_line(stroke, false); }

@@ -35,7 +35,7 @@ class LabelSpace {
   void add_line(const Stroke& stroke, bool is_outline);
 
   std::vector<Line> lines_;
-  std::vector<std::array<Vec2, 4>> texts_;
+  std::vector<TextBox> texts_;
   BoxGrid<2> line_grid_, text_grid_;
 };
 

@@ -28,6 +28,18 @@ bool collide(const Footprint& a, const Footprint& b) {
   });
 }
 
+// Printers leave up to this much of the edge white, unless the margin says that this one does not.
+constexpr double kUnprinted = 4;
+
+// Rulers with their figures, and two lines of text.
+constexpr double kRuledBand = 5.5;
+
+/// The part of a sheet for pieces.
+Extent room_on(const Extent& sheet, const SheetOptions& options) {
+  const double taken = ruled_margin(options) + options.margin;
+  return {sheet.width - taken, sheet.height - taken};
+}
+
 /// Among the turns that fit, the one with the smallest box; wider than high among near equals,
 /// since rows waste less with low pieces.
 Turn choose_turn(std::span<const Turn> turns, const Extent& room) {
@@ -69,8 +81,8 @@ std::string fault_of_pins(const SheetTask& task, const Extent& room) {
     if (!task.pins[i]) continue;
     const auto& [place, angle] = *task.pins[i];
     RigidMotion2 motion = settle_at(task.pieces[i], angle);
-    const double margin = task.options.margin;
-    motion.t += Vec2(place.x - margin, place.y - margin);
+    const double corner = ruled_margin(task.options);
+    motion.t += Vec2(place.x - corner, place.y - corner);
     Footprint print = task.pieces[i];
     for (auto& polygon : print.polygons) {
       for (Vec2& p : polygon) p = motion(p);
@@ -119,10 +131,7 @@ class SheetPlanner::Work {
   SheetLayout take() { return std::move(*best_); }
 
  private:
-  Extent room() const {
-    const double margin = task_.options.margin;
-    return {sheets_[current_].width - 2 * margin, sheets_[current_].height - 2 * margin};
-  }
+  Extent room() const { return room_on(sheets_[current_], task_.options); }
 
   /// Keeps the first sheet on which pins can stay, if there are any.
   void check_pins() {
@@ -145,8 +154,8 @@ class SheetPlanner::Work {
     room_pins_.assign(task_.pins.begin(), task_.pins.end());
     for (std::optional<Pin>& pin : room_pins_) {
       if (!pin) continue;
-      pin->place.x -= task_.options.margin;
-      pin->place.y -= task_.options.margin;
+      pin->place.x -= ruled_margin(task_.options);
+      pin->place.y -= ruled_margin(task_.options);
     }
     PackingTask task = {task_.pieces, room(), task_.options.gap, task_.parts};
     if (has_pins_) task.pins = room_pins_;
@@ -169,8 +178,8 @@ class SheetPlanner::Work {
     layout.sheet_count = packing.sheet_count;
     layout.used_height = packing.used_height;
     for (Placement& place : layout.placements) {
-      place.x += task_.options.margin;
-      place.y += task_.options.margin;
+      place.x += ruled_margin(task_.options);
+      place.y += ruled_margin(task_.options);
     }
     double area = 0;
     for (const Footprint& piece : task_.pieces) area += piece.face_area;
@@ -213,8 +222,12 @@ RigidMotion2 settle_at(const Footprint& piece, double angle) {
   return settle(convex_hull(piece.points()), {std::cos(angle), std::sin(angle), {}});
 }
 
+double ruled_margin(const SheetOptions& options) {
+  return std::max(options.margin, std::min(options.margin, kUnprinted) + kRuledBand);
+}
+
 Extent printable(const SheetOptions& options) {
-  const Extent room = {options.width - 2 * options.margin, options.height - 2 * options.margin};
+  const Extent room = room_on({options.width, options.height}, options);
   if (room.width <= 0 || room.height <= 0) {
     throw InputError("bad-margin",
                      "margins leave nothing of the sheet: paper and margin do not fit");

@@ -72,7 +72,11 @@ struct SheetTask {
 /// Turns a piece by an angle, in radians counter-clockwise, and moves its box to (0, 0).
 RigidMotion2 settle_at(const Footprint& piece, double angle);
 
-/// The part of an upright sheet within the margins.
+/// What stays free at the left and the lower edge, in millimetres: the margin, or more where that
+/// has no room for the rulers and the title that are printed there.
+double ruled_margin(const SheetOptions& options);
+
+/// The part of an upright sheet for pieces: within the margins, and beside rulers and title.
 /// \throw InputError if the margins leave nothing of it
 Extent printable(const SheetOptions& options);
 

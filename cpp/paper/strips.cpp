@@ -78,9 +78,9 @@ std::vector<SheetRaster> rasters_of(const StripTask& task, const Extent& room) {
     const auto& [sheet, x, y] = task.layout->placements[i];
     std::vector<std::vector<Vec2>> polygons = task.pieces[i].polygons;
     for (auto& polygon : polygons) {
-      for (Vec2& p : polygon) p += Vec2(x - task.margin, y - task.margin);
+      for (Vec2& p : polygon) p += Vec2(x, y) - Vec2::Constant(ruled_margin(task.options));
     }
-    sheets[sheet].take(rasterize(polygons, room), {0, 0}, task.gap);
+    sheets[sheet].take(rasterize(polygons, room), {0, 0}, task.options.gap);
   }
   return sheets;
 }
@@ -127,8 +127,9 @@ std::optional<StripShape> make_strip(const Seam& seam, int number, double angle)
 
 std::vector<Strip> place_strips(const StripTask& task, std::span<const StripShape> shapes,
                                 std::vector<Strip> strips) {
-  const Extent room = {task.layout->sheet_width - 2 * task.margin,
-                       task.layout->sheet_height - 2 * task.margin};
+  const Vec2 corner = Vec2::Constant(ruled_margin(task.options));
+  const double taken = corner.x() + task.options.margin;
+  const Extent room = {task.layout->sheet_width - taken, task.layout->sheet_height - taken};
   std::vector<SheetRaster> sheets = rasters_of(task, room);
   std::vector<int> order(shapes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
@@ -160,8 +161,7 @@ std::vector<Strip> place_strips(const StripTask& task, std::span<const StripShap
       const PieceRaster& raster = ways[chosen].raster;
       sheets[s].take(raster, best, kStripGap);
       RigidMotion2 motion = ways[chosen].motion;
-      motion.t += Vec2(task.margin + best.x * kCell,
-                       task.margin + room.height - best.y * kCell - raster.box.height);
+      motion.t += corner + Vec2(best.x * kCell, room.height - best.y * kCell - raster.box.height);
       strips[i].sheet = static_cast<int>(s);
       found.push_back(placed(strips[i], shapes[i], motion, chosen == 1));
       break;

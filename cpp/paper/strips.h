@@ -38,7 +38,7 @@ struct Strip {
 struct StripTask {
   std::span<const Footprint> pieces;  ///< turned, their boxes from (0, 0)
   const SheetLayout* layout;
-  double margin, gap;    ///< mm
+  SheetOptions options;
   bool may_add = false;  ///< whether sheets may be added
 };
 

@@ -143,10 +143,9 @@ void PaperPlanner::lay_strips() {
       strip.number = numbers[i];
       strip.angle = fold_angle(state_.surface->mesh, seams[i].mesh_edge);
     }
-    const SheetOptions& sheet = options.sheet;
     plan_.strips = place_strips(
-        {draft.prints, &draft.sheets, sheet.margin, sheet.gap, options.strips == GlueStrips::kAll},
-        shapes, std::move(strips));
+        {draft.prints, &draft.sheets, options.sheet, options.strips == GlueStrips::kAll}, shapes,
+        std::move(strips));
     int count = draft.sheets.sheet_count;
     for (const Strip& strip : plan_.strips) {
       open.erase(strip.mesh_edge);

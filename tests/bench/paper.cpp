@@ -47,15 +47,16 @@ void print_line(const std::string& head, const Measures& measures) {
   std::fflush(stdout);
 }
 
-/// Face and flap area over the part of the sheets down to the lowest piece, margins left out.
+/// Face and flap area over the part of the printable sheets down to the lowest piece.
 double strip_efficiency(const JobResult& result, const std::vector<Footprint>& prints,
-                        double margin) {
+                        const SheetOptions& options) {
   double area = 0;
   for (const Footprint& print : prints) area += area_of(print);
   const SheetLayout& sheets = result.sheets;
-  const double width = sheets.sheet_width - 2 * margin;
-  const double full = sheets.sheet_height - 2 * margin;
-  return area / (width * (full * (sheets.sheet_count - 1) + sheets.used_height));
+  const double taken = ruled_margin(options) + options.margin;
+  const double full = sheets.sheet_height - taken;
+  return area /
+         ((sheets.sheet_width - taken) * (full * (sheets.sheet_count - 1) + sheets.used_height));
 }
 
 double seconds_of_packing(const std::vector<Footprint>& prints, const SheetOptions& options) {
@@ -85,7 +86,7 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   }
   const auto seams = static_cast<double>(result.skipped_ids.size()) + result.printed_ids;
   m.values["ids"] = 100 * result.printed_ids / seams;
-  m.values["strip"] = 100 * strip_efficiency(result, prints, options.sheet.margin);
+  m.values["strip"] = 100 * strip_efficiency(result, prints, options.sheet);
   m.values["pieces"] = static_cast<double>(result.pieces.size());
   m.values["sheets"] = result.sheets.sheet_count;
   m.values["strips"] = static_cast<double>(result.strips.size());

@@ -87,6 +87,7 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
   ASSERT_EQ(layout.placements.size(), nets.size());
   std::vector<char> used(layout.sheet_count, 0);
   const double least = options.margin - 1e-9;
+  const double ruled = ruled_margin(options) - 1e-9;
   for (std::size_t i = 0; i < nets.size(); ++i) {
     ASSERT_GE(layout.placements[i].sheet, 0);
     ASSERT_LT(layout.placements[i].sheet, layout.sheet_count);
@@ -94,8 +95,8 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
     EXPECT_NEAR(box_of(nets[i]).min[0], 0, 1e-9);
     EXPECT_NEAR(box_of(nets[i]).min[1], 0, 1e-9);
     const Box2 box = placed(nets[i], layout.placements[i]);
-    EXPECT_GE(box.min[0], least);
-    EXPECT_GE(box.min[1], least);
+    EXPECT_GE(box.min[0], ruled);
+    EXPECT_GE(box.min[1], ruled);
     EXPECT_LE(box.max[0], layout.sheet_width - least);
     EXPECT_LE(box.max[1], layout.sheet_height - least);
     for (std::size_t j = 0; j < i; ++j) {
@@ -200,6 +201,12 @@ TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {
   const SheetLayout tall =
       fit_on_sheets(again, {.margin = 5, .orientation = Orientation::kPortrait});
   EXPECT_LE(wide.sheet_count, tall.sheet_count);
+}
+
+TEST(LayOnSheets, KeepsRoomForRulersInNarrowMargins) {
+  EXPECT_EQ(ruled_margin({.margin = 10}), 10);
+  EXPECT_EQ(ruled_margin({.margin = 5}), 9.5);
+  EXPECT_EQ(ruled_margin({.margin = 0}), 5.5);
 }
 
 TEST(LayOnSheets, PutsSmallPiecesOnOneSheet) {

@@ -72,7 +72,7 @@ class PlaceStrips : public ::testing::Test {
     std::vector<Strip> strips(count);
     for (int i = 0; i < count; ++i) strips[i].number = count - i;
     const std::vector<StripShape> shapes(count, shape);
-    return place_strips({{&piece, 1}, &layout_, 10, 3, may_add}, shapes, strips);
+    return place_strips({{&piece, 1}, &layout_, {}, may_add}, shapes, strips);
   }
 
   SheetLayout layout_;

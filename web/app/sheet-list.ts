@@ -28,6 +28,7 @@ export class SheetList {
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
+  private marks: MarksBySheet = new Map();
 
   constructor() {
     this.zoom.addEventListener('input', () => this.resize());
@@ -50,6 +51,7 @@ export class SheetList {
   /** Puts the first of the sheets that were drawn in the place of those before. */
   show(sheets: HTMLLIElement[]): void {
     this.sheets = sheets;
+    this.marks = new Map();
     this.list.replaceChildren(...sheets.slice(0, 1));
     this.coming = sheets.slice(1);
     this.resize();
@@ -63,8 +65,17 @@ export class SheetList {
     }
   }
 
+  /** Puts sheets of the same result that look otherwise in the place of those on the page. */
+  replace(sheets: HTMLLIElement[]): void {
+    this.sheets = sheets;
+    this.coming = [];
+    this.list.replaceChildren(...sheets);
+    this.mark(this.marks);
+  }
+
   /** Marks lines on the sheets, in place of those that were marked before. */
   mark(marks: MarksBySheet): void {
+    this.marks = marks;
     this.sheets.forEach((sheet, index) => {
       const svg = sheet.querySelector('svg');
       if (svg) markSheet(svg, marks.get(index) ?? []);

@@ -8,6 +8,7 @@ import { JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Wishes } from './options-form.js';
+import { PrintPanel } from './print-panel.js';
 import { ProgressPanel } from './progress-panel.js';
 import { type FinishedRun, ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
@@ -44,7 +45,7 @@ export class Studio {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    this.result = new ResultPanel(downloads, sheets, steps);
+    this.result = new ResultPanel(downloads, sheets, steps, new PrintPanel());
     new HatchSwitch((hatched) => this.workshop.hatch(hatched));
   }
 

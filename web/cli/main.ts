@@ -1,14 +1,16 @@
-import { basename, resolve } from 'node:path';
+import { basename, extname, resolve } from 'node:path';
 import { version } from '../../package.json';
 import { runJob, type TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
 import { nodePool } from '../core/node-pool.js';
+import { preparePrint, type Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
+import { readFontFile } from './font-file.js';
 import { checkFormat, renderOutputs } from './formats.js';
 import { exitOf } from './job-failure.js';
-import { echo, jobOptions } from './options.js';
+import { echo, jobOptions, printOptions } from './options.js';
 import { Progress } from './progress.js';
 import { readModelFile } from './read-model-file.js';
 import { summarize } from './summary.js';
@@ -43,10 +45,21 @@ async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedRe
   }
 }
 
+function layOut({ model, settings }: Commands, result: TimedResult): Promise<Print> {
+  return preparePrint({
+    result,
+    title: basename(model, extname(model)),
+    margin: settings.margin,
+    options: printOptions(settings),
+    loadFont: readFontFile,
+  });
+}
+
 function renderReport(
   { report, settings }: Commands,
   written: OutputFile[],
   result: TimedResult,
+  print: Print,
 ): OutputFile[] {
   if (report === null) return [];
   const content = makeReport({
@@ -55,6 +68,7 @@ function renderReport(
     job: jobOptions(settings),
     files: [...written.map(({ path }) => path), report],
     result,
+    printed: print.notices,
     seconds: result.seconds,
   });
   return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
@@ -64,8 +78,9 @@ async function run(args: string[]): Promise<void> {
   const commands = parseCommandLine(args);
   checkOutputs(commands);
   const result = await runEngine(commands, readModelFile(commands.model));
-  const files = await renderOutputs(commands, result);
-  files.push(...renderReport(commands, files, result));
+  const print = await layOut(commands, result);
+  const files = await renderOutputs(commands.outputs, result, print);
+  files.push(...renderReport(commands, files, result, print));
   writeFiles(files);
   if (files.length === 0) console.log(summarize(commands.model, result));
 }

@@ -19,6 +19,8 @@ export interface ReportInput {
   /** Every file written, as named by the user. */
   files: string[];
   result: JobResult;
+  /** Notices that came up when the sheets were drawn. */
+  printed: Notice[];
   seconds: StageSeconds;
 }
 
@@ -107,7 +109,7 @@ export function makeReport(input: ReportInput): Report {
     efficiency: result.efficiency,
     flaps: result.flaps,
     ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
-    notices: result.notices,
+    notices: [...result.notices, ...input.printed],
     seconds: input.seconds,
     search: result.search,
     result_hash: result.hash,
