@@ -90,6 +90,7 @@ JobOptions options_from(const val& object) {
   options.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, word(object["unit"]));
+  options.compaction = object["compaction"].as<bool>();
   options.ids = from_name<IdPlace>(kIdPlaces, word(object["ids"]));
   options.strips = from_name<GlueStrips>(kGlueStrips, word(object["glueStrips"]));
   options.names = items(object["names"], part_name);

@@ -292,7 +292,7 @@ val typed(const char* type) {
 }
 
 const char* stage_name(StageId stage) {
-  constexpr const char* kNames[] = {"read", "learn", "cluster", "search", "paper"};
+  constexpr const char* kNames[] = {"read", "learn", "cluster", "search", "compact", "paper"};
   return kNames[static_cast<int>(stage)];
 }
 

@@ -109,7 +109,7 @@ std::vector<const Polygon*> FlapRoom::near(const SeamSide& side) const {
 
 std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
                                         std::span<const Polygon* const> obstacles) const {
-  RoomProfile profile = open_room(side.length(), shape_.height);
+  RoomProfile profile = open_room(side.length(), shape_.height, kFineBin);
   for (const Polygon* obstacle : obstacles) {
     Polygon local;
     for (const Vec2& p : *obstacle) local.push_back(side.local(p));

@@ -13,8 +13,6 @@
 namespace foldwright {
 namespace {
 
-constexpr double kWantedLength = 4;  // mm; shorter edges hold by their neighbours
-
 /// A side of a seam, by its index; -1: none.
 using SideIndex = int;
 

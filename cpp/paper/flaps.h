@@ -25,6 +25,9 @@ struct FlapChoice {
   EdgeFlaps flaps;
 };
 
+/// Shorter cut edges hold by their neighbours, mm.
+inline constexpr double kWantedLength = 4;
+
 struct FlapOptions {
   FlapSide side = FlapSide::kOne;
   FlapShape shape = {};

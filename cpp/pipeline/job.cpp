@@ -10,7 +10,7 @@ namespace foldwright {
 namespace {
 
 /// Share of a usual job's time that each stage takes, in the order of `StageId`.
-constexpr double kStageShares[] = {0.04, 0.48, 0.12, 0.33, 0.03};
+constexpr double kStageShares[] = {0.02, 0.2, 0.08, 0.2, 0.45, 0.05};
 
 }  // namespace
 
@@ -33,6 +33,7 @@ Job::Job(std::vector<std::byte> file, std::string file_name, const JobOptions& o
   stages_.push_back(make_learn_stage());
   stages_.push_back(make_cluster_stage());
   stages_.push_back(make_search_stage());
+  stages_.push_back(make_compact_stage());
   stages_.push_back(make_paper_stage());
 }
 

@@ -72,6 +72,7 @@ struct JobOptions {
   GlueStrips strips = GlueStrips::kNone;
   std::vector<PartName> names = {};
   std::vector<PinnedPiece> pins = {};
+  bool compaction = true;  ///< make nets better to craft after they were found
 };
 
 /// \throw InputError that names the first option out of its range

@@ -21,9 +21,6 @@ constexpr int kMostHalvings = 20;
 // Packings that are tried at each scale on the way to a number of sheets.
 constexpr int kTrialEffort = 6;
 
-// Edges that are no longer need no strip: see `FlapCounts`.
-constexpr double kWantedLength = 4;
-
 /// Mesh edges that are to be joined by strips or tape, ascending: those that miss a flap, and all
 /// if strips are to do without any flaps.
 std::vector<int> bare_edges(const JobOptions& options, const FlapPlan& flaps,
@@ -166,8 +163,8 @@ void PaperPlanner::begin_labels() {
   progress_ = 0.8;
 }
 
-PaperPlan plan_paper(const JobState& state) {
-  PaperPlanner planner(state);
+PaperPlan plan_paper(const JobState& state, bool in_a_hurry) {
+  PaperPlanner planner(state, in_a_hurry);
   while (!planner.step()) {
   }
   return planner.take();
@@ -178,7 +175,7 @@ double finished_scale(const JobState& state) {
     case Sizing::kFit:
       return fitting_scale(state);
     case Sizing::kSheets:
-      return plan_paper(state).draft.sheets.scale;
+      return plan_paper(state, true).draft.sheets.scale;
     default:
       return fixed_scale(state.surface->mesh, state.options.size);
   }

@@ -63,10 +63,10 @@ class PaperPlanner {
 };
 
 /// The plan, all at once.
-PaperPlan plan_paper(const JobState& state);
+PaperPlan plan_paper(const JobState& state, bool in_a_hurry = false);
 
-/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out.
-/// With a number of sheets as costly as the plan. Throws what it throws.
+/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out;
+/// with a number of sheets what a planner in a hurry comes to. Throws what it throws.
 double finished_scale(const JobState& state);
 
 }  // namespace foldwright

@@ -50,6 +50,7 @@ std::unique_ptr<Stage> make_read_stage();
 std::unique_ptr<Stage> make_learn_stage();
 std::unique_ptr<Stage> make_cluster_stage();
 std::unique_ptr<Stage> make_search_stage();
+std::unique_ptr<Stage> make_compact_stage();
 std::unique_ptr<Stage> make_paper_stage();
 
 }  // namespace foldwright

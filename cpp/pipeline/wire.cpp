@@ -77,6 +77,22 @@ void each_field(T& value, F& f) {
     f(value.moves), f(value.generations);
   } else if constexpr (is_any_of<T, PlanTask>) {
     f(value.folds), f(value.clearance), f(value.seed);
+  } else if constexpr (is_any_of<T, CompactTask>) {
+    f(value.folds), f(value.craft), f(value.annealing);
+  } else if constexpr (is_any_of<T, CraftOptions>) {
+    f(value.scale), f(value.shape), f(value.weights), f(value.room), f(value.borders);
+  } else if constexpr (is_any_of<T, FlapShape>) {
+    f(value.height), f(value.least), f(value.angle);
+  } else if constexpr (is_any_of<T, CraftWeights>) {
+    f(value.flaps), f(value.hull), f(value.necks), f(value.excess);
+  } else if constexpr (is_any_of<T, Extent>) {
+    f(value.width), f(value.height);
+  } else if constexpr (is_any_of<T, BorderRoom>) {
+    f(value.mesh_edge), f(value.height);
+  } else if constexpr (is_any_of<T, AnnealingOptions>) {
+    f(value.work), f(value.hot), f(value.cold), f(value.clearance), f(value.seed);
+  } else if constexpr (is_any_of<T, CompactResult>) {
+    f(value.folds), f(value.borders), f(value.moves);
   } else if constexpr (is_any_of<T, FoldMotion>) {
     f(value.kind), f(value.times), f(value.shares);
   } else if constexpr (is_any_of<T, PlanResult>) {

@@ -53,11 +53,20 @@ int MovingLayout::crossing_conflicts() const {
 }
 
 int MovingLayout::try_join(int join, double limit) {
+  const int overlaps = try_flat(join, limit);
+  return overlaps > limit ? overlaps : overlaps + try_layers(limit - overlaps);
+}
+
+int MovingLayout::try_flat(int join, double limit) {
   tried_ = join;
-  int count = flat_.try_join(tree_, join, limit);
+  return flat_.try_join(tree_, join, limit);
+}
+
+int MovingLayout::try_layers(double limit) {
+  int count = 0;
   for (auto& layer : folded_) {
     if (count > limit) break;
-    count += layer.try_join(tree_, join, limit - count);
+    count += layer.try_join(tree_, tried_, limit - count);
   }
   return count;
 }

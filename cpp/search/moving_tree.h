@@ -23,6 +23,8 @@ class MovingTree {
 
   /// Splits the tree at fold `cut` and selects the smaller side as the one to move. Linear in it.
   void select_side(int cut);
+  /// The fold that was cut last.
+  int cut() const { return cut_; }
   /// Panels of the side that moves.
   std::span<const int> selected() const { return selected_; }
   bool moves(int panel) const { return side_stamp_[panel] == side_; }

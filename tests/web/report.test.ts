@@ -12,7 +12,16 @@ function reportOf(parts: number): Report {
     files: ['out-1.svg', 'out-2.svg', 'report.json'],
     result: boxAndLidResult(),
     printed: [{ code: 'missing-glyphs', text: 'no font has X' }],
-    seconds: { read: 0.1, learn: 1, cluster: 0.2, search: 0.3, fold: 0, paper: 0.1, total: 1.7 },
+    seconds: {
+      read: 0.1,
+      learn: 1,
+      cluster: 0.2,
+      search: 0.3,
+      fold: 0,
+      compact: 0,
+      paper: 0.1,
+      total: 1.7,
+    },
   });
 }
 

@@ -153,6 +153,12 @@ export const rows = {
     choice(['inside', 'flap', 'both', 'none']),
     'where the numbers of cut edges go: inside, flap, both or none',
   ),
+  compact: row(
+    'on|off',
+    'on',
+    choice(['on', 'off']),
+    'on: nets with room for flaps, small outlines and strong necks; off: as they were found',
+  ),
   workers: row(
     'N|auto',
     'auto',
@@ -302,6 +308,7 @@ export function jobOptions(settings: Settings): JobOptions {
     names: [],
     pins: [],
     ids: settings.ids,
+    compaction: settings.compact === 'on',
     unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,

@@ -18,6 +18,8 @@ export interface PieceDrawing {
   valleys: Segment[];
   /** Lines from numbers to their edges, and strokes across edges to be joined by tape. */
   guides: Segment[];
+  /** Whether there are such marks. */
+  hasTape: boolean;
   /** Outlines of its flaps. */
   flaps: Point[][];
   /** Its name, the ids of its cut edges, and the angles of its folds. */
@@ -127,6 +129,7 @@ function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing
     mountains: isValley ? [] : folds,
     valleys: isValley ? folds : [],
     guides: [],
+    hasTape: false,
     flaps: [],
     texts: [lineOf(label)],
   };
@@ -141,13 +144,14 @@ function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceD
   const mountains = drawFolds(piece, 'M', flatFold, at);
   const valleys = drawFolds(piece, 'V', flatFold, at);
   const guides = drawGuides(piece);
+  const hasTape = piece.tapeMarks.length > 0;
   const texts = piece.labels.map((label) => lineOf(label, piece.x, piece.y));
   if (foldAngles) {
     const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
     texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
   }
   const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
-  return { letter: piece.name, cuts, mountains, valleys, guides, flaps, texts };
+  return { letter: piece.name, cuts, mountains, valleys, guides, hasTape, flaps, texts };
 }
 
 /** The pieces and loose strips on sheet number `sheet`, counted from 0. */

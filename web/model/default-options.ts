@@ -25,6 +25,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   ids: 'both',
   names: [],
   pins: [],
+  compaction: true,
   paperWidth: 210,
   paperHeight: 297,
   orientation: 'auto',

@@ -83,6 +83,8 @@ export interface JobOptions {
   names: PartName[];
   /** With automatic orientation, the first one on which these fit is taken. */
   pins: PinnedPiece[];
+  /** Make nets better to craft once they are found: room for flaps, a small outline, strong necks. */
+  compaction: boolean;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -260,7 +262,7 @@ export interface JobResult {
   hash: string;
 }
 
-export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
+export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {

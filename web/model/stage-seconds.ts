@@ -6,6 +6,8 @@ export interface StageSeconds {
   search: number;
   /** Looking for folding motions. */
   fold: number;
+  /** Making nets better to craft. */
+  compact: number;
   paper: number;
   total: number;
 }
