@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/convex2.h"
+#include "paper/necks.h"
 
 namespace foldwright {
 namespace {
@@ -346,31 +347,8 @@ void CraftCost::take_measures() {
   forget_trial();
 }
 
-int CraftCost::count_necks() {
-  const DualGraph& graph = *graph_;
-  order_.assign(1, 0);
-  parent_fold_.assign(graph.panel_count(), -1);
-  faces_below_.resize(graph.panel_count());
-  for (std::size_t head = 0; head < order_.size(); ++head) {
-    const int panel = order_[head];
-    faces_below_[panel] = graph.first_face[panel + 1] - graph.first_face[panel];
-    for (const int h : graph.hinges_of(panel)) {
-      if (!is_fold_[h] || h == parent_fold_[panel]) continue;
-      const int next = graph.hinges[h].other(panel);
-      parent_fold_[next] = h;
-      order_.push_back(next);
-    }
-  }
-  const auto faces = static_cast<int>(graph.faces.size());
-  int necks = 0;
-  for (std::size_t i = order_.size() - 1; i > 0; --i) {
-    const int panel = order_[i];
-    const Hinge& fold = graph.hinges[parent_fold_[panel]];
-    faces_below_[fold.other(panel)] += faces_below_[panel];
-    const int fewer = std::min(faces_below_[panel], faces - faces_below_[panel]);
-    necks += fold.length * options_.scale < kNeckLength && fewer >= kNeckFaces;
-  }
-  return necks;
+int CraftCost::count_necks() const {
+  return static_cast<int>(find_necks(*graph_, is_fold_, options_.scale).size());
 }
 
 void CraftCost::measure_shape(Terms& terms) const {

@@ -33,11 +33,6 @@ struct CraftOptions {
   std::vector<BorderRoom> borders;
 };
 
-/// A fold shorter than this holds no more than a few faces, mm.
-inline constexpr double kNeckLength = 5;
-/// Faces on both sides of a fold from which on it is a neck.
-inline constexpr int kNeckFaces = 8;
-
 /// The cost of a net on paper: cut edges without room for a flap, a large hull, weak necks, and
 /// what sticks out of the sheet.
 ///
@@ -102,7 +97,7 @@ class CraftCost : public TreeCost {
   /// Height of the flap that a side has room for as faces lie in the trial.
   double measure(int side);
   void take_measures();
-  int count_necks();
+  int count_necks() const;
   void measure_shape(Terms& terms) const;
 
   const DualGraph* graph_;
@@ -137,7 +132,6 @@ class CraftCost : public TreeCost {
   std::vector<std::uint32_t> seen_;  ///< per face, within one query
   std::uint32_t query_ = 0;
   RoomProfile profile_{};
-  std::vector<int> order_, parent_fold_, faces_below_;  ///< scratch of `count_necks`
 };
 
 }  // namespace foldwright

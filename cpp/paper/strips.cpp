@@ -15,7 +15,7 @@ constexpr double kLeastHalf = 1.5;
 constexpr double kStripGap = 1;
 
 constexpr double kTextSizes[] = {2.5, 2, 1.7, 1.4};
-constexpr double kClearance = 0.3;
+constexpr double kTextClearance = 0.3;
 
 /// The half of a strip that goes behind the face of a side, over (0, 0) to (length, 0).
 std::optional<Trapezoid> half_behind(const SeamSide& side, double angle) {
@@ -41,9 +41,9 @@ bool holds(const Trapezoid& half, const TextBox& box) {
 /// The id on a half, as large as it goes.
 std::optional<Label> label_on(const Trapezoid& half, const std::string& text) {
   for (const double size : kTextSizes) {
-    const double y = 0.5 * kCapHeight * size + kClearance;
+    const double y = 0.5 * kCapHeight * size + kTextClearance;
     const Vec2 centre(0.5 * (half.top[0] + half.top[1]), y);
-    if (holds(half, box_around(text, size, centre, Vec2(1, 0), kClearance - 1e-9))) {
+    if (holds(half, box_around(text, size, centre, Vec2(1, 0), kTextClearance - 1e-9))) {
       return Label{text, centre, 0, size};
     }
   }
