@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
@@ -15,7 +16,8 @@ namespace foldwright::testing {
 /// whatever else the machine does counts for little.
 struct TimedJob {
   std::shared_ptr<const JobResult> result;  ///< null if the model could not be used
-  std::map<StageId, double> seconds;
+  std::map<StageId, double> seconds;  ///< of the processor, so that others do not count
+  std::map<StageId, double> longest_step;  ///< how late a cancel may be answered
 };
 
 /// Runs a job on the bytes of a model file, alone and on one thread.
@@ -31,7 +33,9 @@ inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
       if (const auto* at = std::get_if<StageEvent>(&event)) stage = at->stage;
       if (const auto* done = std::get_if<DoneEvent>(&event)) timed.result = done->result;
     }
-    timed.seconds[before] += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const double passed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    timed.seconds[before] += passed;
+    timed.longest_step[before] = std::max(timed.longest_step[before], passed);
   }
   return timed;
 }
