@@ -74,7 +74,8 @@ class CompactStage : public Stage {
         task_seed(state.options.seed, kCompact, static_cast<std::uint64_t>(n),
                   static_cast<std::uint64_t>(round_ + 1));
     // A net that folds over waypoints only stays as it is: its motion is known for this tree alone.
-    const bool stays = round_ < 0 || net.motion.kind == Folding::kWaypoints;
+    // So does one that an edit leaves alone.
+    const bool stays = round_ < 0 || net.motion.kind == Folding::kWaypoints || net.region.kept;
     CompactTask task{net.folds, craft_options(state, n), {}};
     task.annealing.work = stays ? 0 : work_for(state, panels.size());
     task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.clearance : 0;

@@ -3,6 +3,7 @@ import type { JobResult, Notice } from '../model/job.js';
 import { find, make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import type { Wishes } from './options-form.js';
+import type { ModelFile } from './model-file.js';
 import {
   leadSentence,
   netRemarks,
@@ -17,7 +18,7 @@ import type { StepsPanel } from './steps-panel.js';
 
 /** A finished run: what was asked for and what came out. */
 export interface FinishedRun {
-  fileName: string;
+  model: ModelFile;
   wishes: Wishes;
   result: TimedResult;
 }
@@ -85,9 +86,9 @@ export class ResultPanel {
    * summary, or null if a later result was quicker to draw.
    */
   async show(run: FinishedRun): Promise<string | null> {
-    const { fileName, wishes, result } = run;
+    const { model, wishes, result } = run;
     const turn = ++this.turns;
-    const name = stem(fileName);
+    const name = stem(model.name);
     const source = { result, name, margin: wishes.job.margin };
     const writer = new ResultWriter(source, this.print.read());
     const sheets = await this.sheets.draw(result, writer);
@@ -96,7 +97,7 @@ export class ResultPanel {
       writer.close();
       return null;
     }
-    this.sheets.show(sheets);
+    this.sheets.show(sheets, result);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;
     this.lead.textContent = lead;

@@ -1,10 +1,13 @@
 import { basename, extname, resolve } from 'node:path';
 import { version } from '../../package.json';
-import { runJob, type TimedResult } from '../core/client.js';
+import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
 import { nodePool } from '../core/node-pool.js';
+import type { TimedEvent } from '../core/protocol.js';
 import { preparePrint, type Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import { startFrom } from '../model/edits.js';
+import { addSeconds } from '../model/stage-seconds.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
 import { readFontFile } from './font-file.js';
@@ -28,15 +31,32 @@ function checkOutputs({ model, outputs, report }: Commands): void {
   paths.forEach(checkWritable);
 }
 
+/** A result, with what went into the one that it was made of. */
+function together(before: TimedResult, result: TimedResult): TimedResult {
+  const { generations, moves } = before.search;
+  return {
+    ...result,
+    search: {
+      generations: generations + result.search.generations,
+      moves: moves + result.search.moves,
+    },
+    seconds: addSeconds(before.seconds, result.seconds),
+  };
+}
+
 /** Runs the job in workers, so that this thread hears signals at once. */
 async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedResult> {
-  const { model, quiet, settings } = commands;
+  const { edits, model, quiet, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
   const progress = quiet ? null : new Progress(process.stderr);
+  const hear = (event: TimedEvent): void => progress?.hear(event);
+  const run = (options: RunOptions): Promise<TimedResult> =>
+    runJob(pool, bytes, basename(model), jobOptions(settings), options);
   try {
-    return await runJob(pool, bytes, basename(model), jobOptions(settings), {
-      onEvent: (event) => progress?.hear(event),
-    });
+    if (edits.length === 0) return await run({ onEvent: hear });
+    // Nobody needs to know what is wrong with a result that is still to be changed.
+    const before = await run({ onEvent: (event) => event.type === 'notice' || hear(event) });
+    return together(before, await run({ onEvent: hear, start: startFrom(before, edits) }));
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
@@ -56,7 +76,7 @@ function layOut({ model, settings }: Commands, result: TimedResult): Promise<Pri
 }
 
 function renderReport(
-  { report, settings }: Commands,
+  { editWords, report, settings }: Commands,
   written: OutputFile[],
   result: TimedResult,
   print: Print,
@@ -64,7 +84,7 @@ function renderReport(
   if (report === null) return [];
   const content = makeReport({
     version,
-    options: echo(settings),
+    options: { ...echo(settings), ...editWords },
     job: jobOptions(settings),
     files: [...written.map(({ path }) => path), report],
     result,

@@ -26,6 +26,7 @@ export interface ReportInput {
 
 export interface PieceReport {
   id: number;
+  name: string;
   part: number;
   faces: number;
   cause: Piece['cause'];
@@ -61,6 +62,7 @@ export interface Report {
 function pieceReport(piece: Piece): PieceReport {
   return {
     id: piece.id,
+    name: piece.name,
     part: piece.part,
     faces: piece.sources.length,
     cause: piece.cause,

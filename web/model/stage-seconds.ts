@@ -11,3 +11,17 @@ export interface StageSeconds {
   paper: number;
   total: number;
 }
+
+/** The time of two jobs, one after the other. */
+export function addSeconds(one: StageSeconds, other: StageSeconds): StageSeconds {
+  return {
+    read: one.read + other.read,
+    learn: one.learn + other.learn,
+    cluster: one.cluster + other.cluster,
+    search: one.search + other.search,
+    fold: one.fold + other.fold,
+    compact: one.compact + other.compact,
+    paper: one.paper + other.paper,
+    total: one.total + other.total,
+  };
+}
