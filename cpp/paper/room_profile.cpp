@@ -7,10 +7,10 @@
 namespace foldwright {
 namespace {
 
-// Finer bins find no more flaps that are worth cutting out; a base of 3 mm still has 8.
-constexpr double kBin = 0.33;
+// A base has so many bins: those of 3 mm still tell one flap from another, and long ones take no
+// longer than they must.
 constexpr int kLeastBins = 8;
-constexpr int kMostBins = 96;
+constexpr int kMostBins = 320;
 
 // Between a flap and what is beside it.
 constexpr double kGap = 0.05;
@@ -113,8 +113,8 @@ std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& 
 
 }  // namespace
 
-RoomProfile open_room(double length, double most) {
-  const int bins = std::clamp(static_cast<int>(std::ceil(length / kBin)), kLeastBins, kMostBins);
+RoomProfile open_room(double length, double most, double bin) {
+  const int bins = std::clamp(static_cast<int>(std::ceil(length / bin)), kLeastBins, kMostBins);
   return {length, std::vector<double>(bins, most)};
 }
 

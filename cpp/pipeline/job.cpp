@@ -109,10 +109,19 @@ Events Job::cancel() {
       return;
     }
     // The last stage lays out whatever nets there are, unless it has done so already.
-    Events unheard;
-    if (state_.result.pieces.empty()) stages_.back()->begin(state_, queue_, unheard);
+    if (state_.result.pieces.empty()) lay_out_in_a_hurry();
     events.push_back(CancelledEvent{std::make_shared<const JobResult>(std::move(state_.result))});
   });
+}
+
+void Job::lay_out_in_a_hurry() {
+  state_.in_a_hurry = true;
+  Events unheard;
+  const std::unique_ptr<Stage> paper = make_paper_stage();
+  paper->begin(state_, queue_, unheard);
+  while (!paper->go_on(state_, unheard)) {
+  }
+  paper->end(state_, unheard);
 }
 
 void Job::do_own_step(Events& events) {
@@ -123,7 +132,7 @@ void Job::do_own_step(Events& events) {
   } else if (phase_ == Phase::kBegin) {
     stage.begin(state_, queue_, events);
     phase_ = Phase::kTasks;
-  } else {
+  } else if (stage.go_on(state_, events)) {
     stage.end(state_, events);
     phase_ = Phase::kAnnounce;
     if (++current_ == stages_.size()) {

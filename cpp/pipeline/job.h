@@ -44,6 +44,7 @@ class Job {
   template <class Action>
   Events guarded(Action&& action);
   void do_own_step(Events& events);
+  void lay_out_in_a_hurry();
   void run_task(std::int64_t work, Events& events);
   void report_progress(Events& events);
 

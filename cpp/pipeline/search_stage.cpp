@@ -61,14 +61,21 @@ class SearchStage : public Stage {
 
   void begin(JobState& state, TaskQueue& queue, Events& events) override {
     trees_.emplace(state);
+    std::vector<Region> regions;
     for (int part = 0; part < trees_->part_count(); ++part) {
       Region region = trees_->region(state, part);
-      if (state.components[region.component].kept.empty()) {
-        start(state, queue, std::move(region));
+      Component& component = state.components[region.component];
+      if (component.kept.empty()) {
+        regions.push_back(std::move(region));
       } else {
-        keep(state, state.components[region.component], events);
+        keep(state, component, events);
       }
     }
+    // The largest first: one that came last would keep a single worker busy.
+    std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
+      return a.panels.size() > b.panels.size();
+    });
+    for (Region& region : regions) start(state, queue, std::move(region));
   }
 
   void complete(JobState& state, TaskQueue& queue, int task, TaskResult result,

@@ -78,6 +78,7 @@ struct JobState {
   std::vector<Component> components;
   int parts = 0;
   std::vector<FoundNet> nets;
+  bool in_a_hurry = false;  ///< the job was cancelled, and what there is has to be shown soon
   std::int64_t moves = 0;
   int generations = 0;
   std::vector<Notice> notices;

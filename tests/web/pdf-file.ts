@@ -1,6 +1,13 @@
 /** Reads back what a PDF draws, page by page, with pdf.js; nothing here comes from the exporter. */
 import { getDocument, OPS, type PDFPageProxy } from 'pdfjs-dist/legacy/build/pdf.mjs';
-import type { GuideLines, PieceLines, Point, SheetFile, SheetText } from './sheet-file.js';
+import {
+  stripNumber,
+  type GuideLines,
+  type PieceLines,
+  type Point,
+  type SheetFile,
+  type SheetText,
+} from './sheet-file.js';
 
 /** A path as it is painted, in mm from the lower left. */
 export interface PdfPath {
@@ -143,11 +150,14 @@ class PageReader {
   }
 }
 
-function pieceOf(reader: PageReader, mark: string): PieceLines {
+function pieceOf(reader: PageReader, name: string): PieceLines {
+  const mark = `piece-${name}`;
+  const guides = reader.paths.filter((line) => line.mark === `guide-${name}`);
   const piece: PieceLines = {
     cuts: [],
     mountains: [],
     valleys: [],
+    guides: guides.map(({ path }): [Point, Point] => [path.points[0]!, path.points[1]!]),
     texts: reader.texts.filter((line) => line.mark === mark).map(({ text }) => text),
   };
   for (const { path } of reader.paths.filter((line) => line.mark === mark)) {
@@ -168,7 +178,15 @@ async function readPage(page: PDFPageProxy): Promise<PdfPage> {
   const reader = new PageReader();
   fnArray.forEach((operator, i) => reader.read(operator, (argsArray[i] ?? []) as unknown[]));
   const marks = new Set(reader.paths.map(({ mark }) => mark));
-  const pieces = [...marks].filter((mark) => mark.startsWith('piece-'));
+  const pieces = new Map<string, PieceLines>();
+  const strips = new Map<number, PieceLines>();
+  for (const mark of marks) {
+    const name = /^piece-(.*)$/.exec(mark)?.[1];
+    if (name === undefined) continue;
+    const strip = stripNumber(name);
+    if (strip === null) pieces.set(name, pieceOf(reader, name));
+    else strips.set(strip, pieceOf(reader, name));
+  }
   const ofGuide = <Item extends { mark: string }>(items: Item[]): Item[] =>
     items.filter(({ mark }) => mark === 'guide');
   const guide: GuideLines = {
@@ -180,7 +198,8 @@ async function readPage(page: PDFPageProxy): Promise<PdfPage> {
     sheet: {
       width: width! * millimetres,
       height: height! * millimetres,
-      pieces: new Map(pieces.map((mark) => [mark.slice('piece-'.length), pieceOf(reader, mark)])),
+      pieces,
+      strips,
       guide,
     },
     paths: reader.paths.map(({ path }) => path),

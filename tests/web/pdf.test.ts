@@ -56,6 +56,7 @@ describe('writePdf', () => {
     const { pages } = await written(flapResult(), {
       options: {
         style: 'blender',
+        legend: false,
         lines: { cut: { width: 0.5, colour: '#ff0000' }, valley: { dash: [2, 1] } },
       },
     });

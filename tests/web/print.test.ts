@@ -55,6 +55,14 @@ describe('names', () => {
     expect(writeSvg(print, 0)).toContain('data-text="cat 🐱 and 👩‍🚀 🇨🇭"');
   });
 
+  it('do not keep sheets from being drawn when fonts do not come', async () => {
+    const loadFont = () => Promise.reject(new Error('offline'));
+    const print = await printOf(cubeResult(), { title: 'くじら', loadFont });
+    expect(print.notices.map(({ code }) => code)).toEqual(['fonts-not-loaded']);
+    expect(said(writeSvg(print, 0))).toContain('くじら');
+    await expect(writePdf(print)).rejects.toThrow('offline');
+  });
+
   it('break no line and no markup', async () => {
     const print = await printOf(cubeResult(), { title: 'a\nb\u0000c"/><x>' });
     expect(said(writeSvg(print, 0))).toContain('a b c"/><x>');
@@ -101,7 +109,7 @@ describe('the legend', () => {
     expect(await words(cubeResult())).not.toContain('valley fold');
     expect((await words(slitResult())).join()).not.toContain('flap');
     expect(await words(flapResult())).toEqual(
-      expect.arrayContaining(['cut', 'valley fold', 'flap: for the glue']),
+      expect.arrayContaining(['cut', 'valley fold', 'flap for glue']),
     );
   });
 

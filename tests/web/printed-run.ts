@@ -13,7 +13,7 @@ export interface PrintReport {
   pieces: object[];
   sheets: number;
   ids: IdsReport;
-  flaps: { wanted: number; full: number; shrunk: number };
+  flaps: { wanted: number; full: number; shrunk: number; strips: number; taped: number };
   notices: { code: string; text: string }[];
   seconds: { total: number };
 }

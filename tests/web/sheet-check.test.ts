@@ -12,7 +12,7 @@ const shared = sharedFolder();
 const cases = [
   ['organic/hand_574.obj', '--height', '150', '--flap-side', 'alternate'],
   ['organic/koala_574.obj', '--height', '150', '--paper', 'Letter', '--flap-side', 'both'],
-  ['organic/penguin_1000.obj', '--height', '150', '--ids', 'flap'],
+  ['organic/penguin_1000.obj', '--height', '150', '--ids', 'flap', '--glue-strips', 'free'],
   ['organic/cat_300.obj', '--height', '300', '--margin', '5', '--ids', 'inside'],
   ['organic/cat_300.obj', '--height', '150', '--margin', '0', '--fold-angles', 'on'],
   ['academic/bunny-348.obj', '--sheets', '2', '--flaps', '7', '--flap-angle', '45'],
@@ -29,6 +29,9 @@ describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
       const at = args.indexOf('--margin');
       const margin = at < 0 ? 10 : Number(args[at + 1]);
       expect(faultsOf(run, margin)).toEqual([]);
+      const drawn = run.svg.reduce((sum, sheet) => sum + sheet.strips.size, 0);
+      expect(drawn).toBe(flaps.strips);
+      expect(drawn > 0).toBe(args.includes('--glue-strips'));
       expect(flaps.full + flaps.shrunk).toBeGreaterThan(flaps.wanted / 2);
     },
     90_000,

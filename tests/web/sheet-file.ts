@@ -21,6 +21,8 @@ export interface PieceLines {
   cuts: Point[][];
   mountains: [Point, Point][];
   valleys: [Point, Point][];
+  /** Lines from numbers to edges, and marks for tape. */
+  guides: [Point, Point][];
   texts: SheetText[];
 }
 
@@ -35,6 +37,8 @@ export interface SheetFile {
   height: number;
   /** By letter. */
   pieces: Map<string, PieceLines>;
+  /** Loose strips for glue, by the number of their edge. */
+  strips: Map<number, PieceLines>;
   guide: GuideLines;
 }
 
@@ -70,6 +74,12 @@ function parse(source: string): Svg {
   return (parser.parse(source) as { svg: Svg }).svg;
 }
 
+/** The number of a loose strip's edge, from what a file calls it; null for pieces. */
+export function stripNumber(name: string): number | null {
+  const strip = /^strip-(\d+)$/.exec(name);
+  return strip ? Number(strip[1]) : null;
+}
+
 /** @throws if anything but closed polygons and single lines in mm is drawn */
 export function readSheet(source: string): SheetFile {
   const svg = parse(source);
@@ -78,10 +88,15 @@ export function readSheet(source: string): SheetFile {
     throw new Error('the sheet is not in mm');
   }
   const pieces = new Map<string, PieceLines>();
+  const strips = new Map<number, PieceLines>();
+  const linesOf = <Key>(all: Map<Key, PieceLines>, key: Key): PieceLines => {
+    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], guides: [], texts: [] };
+    if (!all.has(key)) all.set(key, fresh);
+    return all.get(key)!;
+  };
   const pieceOf = ({ 'data-piece': letter }: Element): PieceLines => {
-    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], texts: [] };
-    if (!pieces.has(letter)) pieces.set(letter, fresh);
-    return pieces.get(letter)!;
+    const strip = stripNumber(letter);
+    return strip === null ? linesOf(pieces, letter) : linesOf(strips, strip);
   };
   const up = (pair: string): Point => {
     const [x, y] = pair.trim().split(' ').map(Number);
@@ -98,8 +113,10 @@ export function readSheet(source: string): SheetFile {
   for (const [id, kind] of [
     ['fold-mountain', 'mountains'],
     ['fold-valley', 'valleys'],
+    ['guide', 'guides'],
   ] as const) {
     for (const element of group(id)?.path ?? []) {
+      if (!element['data-piece']) continue;
       for (const walk of walks(element)) {
         const [from, to] = walk.split('L').map(up);
         pieceOf(element)[kind].push([from!, to!]);
@@ -120,10 +137,10 @@ export function readSheet(source: string): SheetFile {
   for (const element of group('id')?.text ?? []) pieceOf(element).texts.push(textOf(element));
   const guide: GuideLines = {
     strokes: (group('guide')?.path ?? [])
-      .filter((element) => !element['data-text'])
+      .filter((element) => !element['data-text'] && !element['data-piece'])
       .flatMap(walks)
       .map((walk) => walk.replace('Z', '').split('L').map(up)),
     texts: (group('guide')?.text ?? []).map(textOf),
   };
-  return { width, height, pieces, guide };
+  return { width, height, pieces, strips, guide };
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FontSet } from '../../web/export/font-set.js';
 import { centredLine, shortened, widthAtMost } from '../../web/export/text-line.js';
-import { pieceLetter } from '../../web/model/piece-letter.js';
+import { pieceLetter } from './piece-letter.js';
 import { fontReader } from './printed.js';
 
 describe('pieceLetter', () => {

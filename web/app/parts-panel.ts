@@ -1,7 +1,6 @@
 import { merging, splitting } from '../model/edits.js';
 import type { Edit, JobResult } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { find, make } from './dom.js';
 
 /** What a person asks for, and its name. */
@@ -22,7 +21,7 @@ export interface PartsListener {
 function describe({ pieces }: JobResult, part: number): { letters: string; faces: number } {
   const own = pieces.filter((piece) => piece.part === part);
   return {
-    letters: own.map(({ id }) => pieceLetter(id)).join(' '),
+    letters: own.map(({ name }) => name).join(' '),
     faces: own.reduce((sum, { sources }) => sum + sources.length, 0),
   };
 }

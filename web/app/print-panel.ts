@@ -24,7 +24,8 @@ const memory = 'foldwright.measured';
 interface LineFields {
   width: HTMLInputElement;
   colour: HTMLInputElement;
-  dash: HTMLInputElement;
+  /** Folds only: cuts are solid. */
+  dash: HTMLInputElement | null;
   /** Shows what they come to. */
   sample: SVGPathElement;
 }
@@ -62,7 +63,7 @@ export class PrintPanel {
     const fields = (kind: LineKind): LineFields => ({
       width: find(`#${kind}-width`, HTMLInputElement),
       colour: find(`#${kind}-colour`, HTMLInputElement),
-      dash: find(`#${kind}-dash`, HTMLInputElement),
+      dash: kind === 'cut' ? null : find(`#${kind}-dash`, HTMLInputElement),
       sample: find(`#${kind}-sample`, SVGPathElement),
     });
     this.lines = { cut: fields('cut'), mountain: fields('mountain'), valley: fields('valley') };
@@ -112,7 +113,7 @@ export class PrintPanel {
     const wished: LineStyle = {
       width: number(width, base.width),
       colour: colour.value,
-      dash: parseDash(dash.value) ?? base.dash,
+      dash: (dash && parseDash(dash.value)) ?? base.dash,
     };
     return {
       ...(wished.width !== base.width && { width: wished.width }),
@@ -126,9 +127,10 @@ export class PrintPanel {
     const look = lookOf({ ...defaultPrint, style: this.chosenStyle() });
     for (const kind of kinds) {
       const { width, colour, dash } = look.lines[kind];
-      this.lines[kind].width.value = String(width);
-      this.lines[kind].colour.value = colour;
-      this.lines[kind].dash.value = dash.join(' ');
+      const fields = this.lines[kind];
+      fields.width.value = String(width);
+      fields.colour.value = colour;
+      if (fields.dash) fields.dash.value = dash.join(' ');
     }
     this.shaded.checked = look.flaps !== 'none';
   }
@@ -136,7 +138,7 @@ export class PrintPanel {
   private change(): void {
     for (const kind of kinds) {
       const { dash } = this.lines[kind];
-      dash.setAttribute('aria-invalid', String(parseDash(dash.value) === null));
+      dash?.setAttribute('aria-invalid', String(parseDash(dash.value) === null));
     }
     for (const field of this.panel.querySelectorAll<HTMLInputElement>('[type=number]')) {
       field.setAttribute('aria-invalid', String(!field.validity.valid));

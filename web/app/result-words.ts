@@ -1,7 +1,6 @@
 import type { TimedResult } from '../core/client.js';
 import type { FlapCounts, JobResult, Model, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -56,15 +55,18 @@ function duration(seconds: number): string {
 /** Width and height of the piece with the smallest box, and its letter. */
 function smallestPiece({ pieces }: JobResult): string {
   const [smallest] = [...pieces].sort((a, b) => a.width * a.height - b.width * b.height);
-  const { id, width, height } = smallest!;
-  return `${pieceLetter(id)}, ${Math.round(width)} × ${Math.round(height)} mm`;
+  const { name, width, height } = smallest!;
+  return `${name}, ${Math.round(width)} × ${Math.round(height)} mm`;
 }
 
-/** How many seams have a flap. */
-function flapWords({ flaps: { wanted, full, shrunk } }: JobResult): string {
-  if (wanted === 0) return 'none';
-  const words = `on ${full + shrunk} of ${count(wanted, 'seam')}`;
-  return shrunk === 0 ? words : `${words}, ${shrunk} of them narrow`;
+/** How many seams have a flap, and what joins the others. */
+function flapWords({ flaps: { wanted, full, shrunk, strips, taped } }: JobResult): string {
+  const words: string[] = [];
+  if (wanted > 0) words.push(`on ${full + shrunk} of ${count(wanted, 'seam')}`);
+  if (shrunk > 0) words.push(`${shrunk} of them narrow`);
+  if (strips > 0) words.push(count(strips, 'loose strip'));
+  if (taped > 0) words.push(`${taped} to be taped`);
+  return words.length > 0 ? words.join(', ') : 'none';
 }
 
 /** How many seams have their number at both sides. */
@@ -143,7 +145,7 @@ function idRemarks({ ids: { skipped } }: JobResult): string[] {
 export function netRemarks(result: JobResult): string[] {
   const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
   return [
-    ...overlapping.map(({ id }) => `Piece ${pieceLetter(id)} overlaps itself.`),
+    ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
     ...noticeRemarks(result.notices),
     ...flapRemarks(result),
     ...idRemarks(result),

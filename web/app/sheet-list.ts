@@ -1,6 +1,5 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture } from '../view/sheet-picture.js';
@@ -13,10 +12,7 @@ import type { MarksBySheet } from './step-marks.js';
 function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
   const pieces = result.pieces.filter((piece) => piece.sheet === index);
   const paints = new Map(
-    pieces.map(({ id, part }) => [
-      pieceLetter(id),
-      { colour: partColour(part), hatch: partHatch(part) },
-    ]),
+    pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
   );
   const number = `Sheet ${index + 1} of ${result.sheets.length}`;
   const names = [...paints.keys()].join(', ');
@@ -43,7 +39,7 @@ export class SheetList {
     this.zoom.value = String(Math.min(this.zoom.valueAsNumber, window.innerWidth - 32));
     this.list.addEventListener('click', ({ target }) => {
       const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
-      const picked = this.pieces.find(({ id }) => pieceLetter(id) === area);
+      const picked = this.pieces.find(({ name }) => name === area);
       if (picked) onPick(picked.part);
     });
   }
@@ -101,7 +97,7 @@ export class SheetList {
     this.selected = parts;
     this.list.toggleAttribute('data-selecting', parts.length > 0);
     const chosen = this.pieces.filter(({ part }) => parts.includes(part));
-    const letters = new Set(chosen.map(({ id }) => pieceLetter(id)));
+    const letters = new Set(chosen.map(({ name }) => name));
     for (const sheet of this.sheets) {
       for (const area of sheet.querySelectorAll<SVGElement>('[data-area]')) {
         area.toggleAttribute('data-selected', letters.has(area.dataset['area'] ?? ''));

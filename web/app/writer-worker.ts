@@ -47,8 +47,6 @@ function printOf(from: WriterSource, options: PrintOptions): Promise<Print> {
   if (last?.key !== key) {
     const { result, name, margin } = from;
     last = { key, print: preparePrint({ result, title: name, margin, options, loadFont }) };
-    // Fonts that did not come may come the next time.
-    last.print.catch(() => (last = null));
   }
   return last.print;
 }

@@ -135,6 +135,18 @@ export const rows = {
     choice(['one', 'alternate', 'both']),
     'one: the side with more room; alternate: in turn; both',
   ),
+  'flap-borders': row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: open borders of the model get flaps as well',
+  ),
+  'glue-strips': row(
+    'NAME',
+    defaultOptions.glueStrips,
+    choice(['none', 'free', 'all']),
+    'loose strips for edges without a flap: none; free: where sheets have room; all: on further sheets, too',
+  ),
   ids: row(
     'NAME',
     defaultOptions.ids,
@@ -233,12 +245,14 @@ function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
 
 function flapOptions(
   settings: Settings,
-): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle'> {
+): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle' | 'flapBorders' | 'glueStrips'> {
   const { flaps } = settings;
   return {
     flapSide: flaps === 'none' ? 'none' : settings['flap-side'],
     flapHeight: flaps === 'none' ? defaultOptions.flapHeight : flaps,
     flapAngle: settings['flap-angle'],
+    flapBorders: settings['flap-borders'] === 'on',
+    glueStrips: settings['glue-strips'],
   };
 }
 
@@ -289,6 +303,10 @@ export function jobOptions(settings: Settings): JobOptions {
     faces: faces === 'off' ? 0 : faces,
     ...sizeOptions(settings),
     ...flapOptions(settings),
+    // Edges, parts and pieces are chosen where they can be seen.
+    flapEdges: [],
+    names: [],
+    pins: [],
     ids: settings.ids,
     compaction: settings.compact === 'on',
     unit: settings.unit,

@@ -32,6 +32,7 @@ export function calibrated(
       flaps: piece.flaps.map(walk),
       mountains: piece.mountains.map(line),
       valleys: piece.valleys.map(line),
+      guides: piece.guides.map(line),
       texts: texts(piece.texts),
     })),
     furniture: {

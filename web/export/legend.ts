@@ -17,7 +17,7 @@ const rowHeight = 3.6;
 const sampleWidth = 9;
 const gap = 1.5;
 /** Between columns. */
-const columnGap = 5;
+const columnGap = 3.5;
 /** From the pieces, so that no one cuts into it. */
 const clearance = 2;
 
@@ -62,13 +62,13 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
     ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', 'mountain fold')] : []),
     ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', 'valley fold')] : []),
     ...(some(({ flaps }) => flaps.length > 0)
-      ? [{ sample: flapSample(), text: 'flap: for the glue' }]
+      ? [{ sample: flapSample(), text: 'flap for glue' }]
       : []),
-    ...(hasIds ? [words('12: glue to the other edge 12')] : []),
-    ...(texts.some((text) => text.includes(':'))
-      ? [words('C:12: glue to edge 12 of piece C')]
-      : []),
-    ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold by this much')] : []),
+    ...(hasIds ? [words('12: joins the other 12')] : []),
+    ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
+    ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
+    ...(some(({ letter }) => letter.startsWith('strip-')) ? [words('strip 12: behind edge 12')] : []),
+    ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold angle')] : []),
   ];
 }
 
@@ -111,7 +111,13 @@ function movedBy({ strokes, texts }: Furniture, [x, y]: Point): Furniture {
 
 function onFreeSpace(sheet: SheetDrawing, entries: Entry[], margin: number): Furniture | null {
   const { to } = bandOf(margin);
-  const area = { left: to, bottom: to, right: sheet.width - margin, top: sheet.height - margin };
+  // From the ruler below as from pieces.
+  const area = {
+    left: to,
+    bottom: to + 1.5,
+    right: sheet.width - margin,
+    top: sheet.height - margin,
+  };
   const space = new FreeSpace(
     area,
     sheet.pieces.flatMap(({ cuts }) => cuts),

@@ -60,6 +60,11 @@ export function lookOf({ style, lines, flaps }: PrintOptions): Look {
   };
 }
 
+/** Of lines from numbers to their edges, and of marks for tape: thinner than any fold. */
+export function leaderStyle({ text }: Look): LineStyle {
+  return { width: 0.1, colour: text, dash: [] };
+}
+
 /** Of rulers, and of boxes that are no cuts. */
 export function guideStyle({ text }: Look): LineStyle {
   return { width: 0.18, colour: text, dash: [] };

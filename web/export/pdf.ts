@@ -27,7 +27,7 @@ import {
 } from 'pdf-lib';
 import type { LineStyle } from '../model/print-options.js';
 import { FontSet } from './font-set.js';
-import { guideStyle, type Look } from './line-style.js';
+import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { PdfFonts } from './pdf-fonts.js';
 import type { Point } from './point.js';
@@ -147,7 +147,12 @@ class PageWriter {
       }
       for (const text of furniture.texts) this.text(text);
     });
-    for (const piece of pieces) this.marked(`piece-${piece.letter}`, () => this.piece(piece));
+    for (const piece of pieces) {
+      this.marked(`guide-${piece.letter}`, () => {
+        this.lines(leaderStyle(this.look), piece.guides, false);
+      });
+      this.marked(`piece-${piece.letter}`, () => this.piece(piece));
+    }
   }
 }
 

@@ -49,24 +49,39 @@ function noteOf(sheet: number, count: number, options: PrintOptions): string {
   return `${page} · corrected for ${options.measured.join(' × ')} mm`;
 }
 
-function noticesOf(
-  sheets: readonly SheetDrawing[],
-  fonts: FontSet | null,
-  lacksLegend: boolean,
-): Notice[] {
+function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notice[] {
   const notices: Notice[] = [];
   if (lacksLegend) notices.push({ code: 'no-legend', text: 'no sheet has room for the legend' });
-  const missing = fonts?.missing ?? [];
-  if (missing.length > 0) {
-    const text = `no font has ${missing.join(' ')}: a box is printed in its place`;
-    notices.push({ code: 'missing-glyphs', text });
-  }
   const beyond = Math.max(...sheets.map(overrun));
   if (beyond > 0) {
     const text = `corrected for this printer, lines run ${beyond.toFixed(1)} mm over the edge of the page: choose a wider margin`;
     notices.push({ code: 'beyond-page', text });
   }
   return notices;
+}
+
+/** The fonts for letters that not every reader has; null where there are none, or none came. */
+async function loadFonts(
+  texts: string[],
+  loadFont: FontLoader,
+  notices: Notice[],
+): Promise<FontSet | null> {
+  if (texts.every(isPlain)) return null;
+  const { FontSet } = await import('./font-set.js');
+  try {
+    const fonts = await FontSet.load(texts, loadFont);
+    if (fonts.missing.length > 0) {
+      const text = `no font has ${fonts.missing.join(' ')}: a box is printed in its place`;
+      notices.push({ code: 'missing-glyphs', text });
+    }
+    return fonts;
+  } catch {
+    // Sheets without their proper letters are better than none.
+    const text =
+      'the fonts for some letters could not be loaded: they look as the reader’s fonts have them';
+    notices.push({ code: 'fonts-not-loaded', text });
+    return null;
+  }
 }
 
 /** The sheets as they shall be on paper, and whether a legend that was asked for is on one of them. */
@@ -97,19 +112,14 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
 
 /**
  * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
- * has is drawn as a box and told in the notices.
+ * has is drawn as a box and told in the notices, and so is it when fonts do not come.
  */
 export async function preparePrint(input: PrintInput): Promise<Print> {
   const { options, loadFont } = input;
   const { sheets: drawn, lacksLegend } = drawSheets(input);
   const factors = corrections(options);
   const sheets = drawn.map((sheet) => calibrated(sheet, factors));
-  const texts = textsOf(sheets);
-  let fonts: FontSet | null = null;
-  if (!texts.every(isPlain)) {
-    const { FontSet } = await import('./font-set.js');
-    fonts = await FontSet.load(texts, loadFont);
-  }
-  const notices = noticesOf(sheets, fonts, lacksLegend);
+  const notices = noticesOf(sheets, lacksLegend);
+  const fonts = await loadFonts(textsOf(sheets), loadFont, notices);
   return { title: cleaned(input.title), look: lookOf(options), sheets, fonts, loadFont, notices };
 }

@@ -1,6 +1,6 @@
 import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
-import { guideStyle, type Look } from './line-style.js';
+import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
@@ -52,7 +52,7 @@ class SheetWriter {
 
   private path(letter: string, paint: string, data: string[]): string[] {
     if (data.length === 0) return [];
-    return [`<path data-piece="${letter}" ${paint} d="${data.join('')}"/>`];
+    return [`<path data-piece="${escaped(letter)}" ${paint} d="${data.join('')}"/>`];
   }
 
   /** One path for each piece. */
@@ -113,7 +113,7 @@ class SheetWriter {
 
   labels(): string[] {
     return this.drawing.pieces.flatMap(({ letter, texts }) =>
-      texts.map((line) => this.text(line, `data-piece="${letter}" `)),
+      texts.map((line) => this.text(line, `data-piece="${escaped(letter)}" `)),
     );
   }
 
@@ -127,7 +127,10 @@ class SheetWriter {
       const isNothing = data.length === 0 || (kind === 'flap' && this.look.flaps === 'none');
       return isNothing ? [] : [`<path ${this.guidePaint(kind)} d="${data.join('')}"/>`];
     });
-    return [...paths, ...texts.map((line) => this.text(line, ''))];
+    const leaders = this.paths(strokeOf(leaderStyle(this.look)), ({ guides }) =>
+      guides.map((segment) => this.walk(segment, false)),
+    );
+    return [...paths, ...texts.map((line) => this.text(line, '')), ...leaders];
   }
 
   private guidePaint(kind: LineKind | 'flap' | undefined): string {

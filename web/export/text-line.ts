@@ -25,9 +25,12 @@ export function directionOf(angle: number): [cosine: number, sine: number] {
   return [Math.round(1e6 * Math.cos(turn)) / 1e6, Math.round(1e6 * Math.sin(turn)) / 1e6];
 }
 
-/** One line of composed letters, so that the same name is the same letters from any system. */
+/**
+ * One line of composed letters, so that the same name is the same letters from any system; without
+ * what no file may hold.
+ */
 export function cleaned(text: string): string {
-  return text.normalize('NFC').replace(/\p{Cc}+/gu, ' ');
+  return text.normalize('NFC').replace(/[\p{Cc}\p{Cs}\uFFFE\uFFFF]+/gu, ' ');
 }
 
 /** The text of a label, whose place is the middle of its box. */
