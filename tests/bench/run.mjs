@@ -82,6 +82,7 @@ run(process.execPath, ['tests/bench/pool.mjs'], 'inherit');
 run(process.execPath, ['tests/bench/page.mjs'], 'inherit');
 if (process.argv.includes('--full')) {
   run('build/release/bench_solvers', ['--full'], 'inherit');
+  run('build/release/bench_paper', [], 'inherit');
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
