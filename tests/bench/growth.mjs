@@ -110,7 +110,7 @@ async function measureCancels(address, model) {
 }
 
 function printRow(faces, where, pieces, seconds, megabytes, rest = '') {
-  const numbers = [pieces, ...seconds, megabytes].map((cell) => String(cell).padStart(8)).join('');
+  const numbers = [pieces, ...seconds, megabytes].map((cell) => String(cell).padStart(10)).join('');
   console.log(`${String(faces).padStart(7)}  ${where.padEnd(9)}${numbers}  ${rest}`.trimEnd());
 }
 
