@@ -14,13 +14,13 @@ TEST(JobParts, AreAsManyAsAskedForFromOneToAllFaces) {
   ASSERT_EQ(build_dual_graph(mesh).panel_count(), mesh.face_count());
   for (int parts = 1; parts <= mesh.face_count(); ++parts) {
     SCOPED_TRACE(parts);
-    const Outcome outcome = run(mesh, {.parts = parts, .runs = 20});
+    const Outcome outcome = run(mesh, {.parts = parts, .runs = 20, .compaction = false});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
     EXPECT_EQ(static_cast<int>(outcome.result->pieces.size()), parts);
     EXPECT_TRUE(outcome.notices().empty());
   }
-  const Outcome more = run(mesh, {.parts = mesh.face_count() + 1, .runs = 20});
+  const Outcome more = run(mesh, {.parts = mesh.face_count() + 1, .runs = 20, .compaction = false});
   expect_sound(more);
   EXPECT_EQ(more.result->parts, mesh.face_count());
   const auto notices = more.all<Notice>();
@@ -33,7 +33,8 @@ TEST(JobParts, AreAsManyAsAskedForOnProxies) {
   const int faces = mesh.face_count();
   for (const int parts : {1, 2, 20, faces / 2, faces - 1, faces}) {
     SCOPED_TRACE(parts);
-    const Outcome outcome = run(mesh, {.parts = parts, .runs = 20, .proxy = 100});
+    const Outcome outcome =
+        run(mesh, {.parts = parts, .runs = 20, .proxy = 100, .compaction = false});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
   }
@@ -43,7 +44,7 @@ TEST(JobParts, GetANetEvenIfTheyAreClosedOrHaveHandles) {
   for (const Mesh& mesh : {torus(10, 7), torus(24, 15), pretzel(), dumbbell(), star()}) {
     SCOPED_TRACE(mesh.face_count());
     for (const FoldingMode folding : {FoldingMode::kOff, FoldingMode::kPrefer}) {
-      const Outcome outcome = run(mesh, {.parts = 1, .folding = folding});
+      const Outcome outcome = run(mesh, {.parts = 1, .folding = folding, .compaction = false});
       expect_sound(outcome);
       EXPECT_EQ(outcome.result->pieces.size(), 1u);
     }
@@ -55,7 +56,7 @@ TEST(JobParts, GetANetEvenOfASkullWithHandles) {
   for (const char* name : {"skull_300.obj", "skull_574.obj"}) {
     SCOPED_TRACE(name);
     const auto path = shared_folder() / "models/organic" / name;
-    const Outcome outcome = run_file(bytes_of(path), name, {.parts = 1});
+    const Outcome outcome = run_file(bytes_of(path), name, {.parts = 1, .compaction = false});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->pieces.size(), 1u);
   }
