@@ -207,6 +207,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("foldable", name_of<Folding>(kFoldings, piece.motion.kind));
   if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
+  object.set("necks", doubles(piece.necks));
   object.set("flaps", flaps_value(piece.flaps));
   object.set("labels", list(piece.labels, label_value));
   object.set("tapeMarks", doubles(coordinates_of(piece.tape_marks)));

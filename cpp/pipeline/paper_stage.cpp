@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "paper/necks.h"
 #include "paper/outline.h"
 #include "pipeline/model_size.h"
 #include "pipeline/paper_plan.h"
@@ -55,14 +56,28 @@ Mesh scaled(Mesh mesh, double factor) {
   return mesh;
 }
 
-/// `mesh`: the model in millimetres.
-Piece make_piece(const JobState& state, const Mesh& mesh, const FoundNet& found, Net net) {
+/// Lengths in millimetres of the folds that are too short for what hangs at them.
+std::vector<double> neck_lengths(const DualGraph& graph, const FoldTree& folds, double scale) {
+  std::vector<char> is_fold(graph.hinge_count(), 0);
+  for (const int h : folds) is_fold[h] = 1;
+  std::vector<double> lengths;
+  for (const int h : find_necks(graph, is_fold, scale)) {
+    lengths.push_back(graph.hinges[h].length * scale);
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+/// `mesh`: the model in millimetres, `scale` times the state's.
+Piece make_piece(const JobState& state, const Mesh& mesh, double scale, const FoundNet& found,
+                 Net net) {
   const DualGraph graph =
       restrict_to(state.components[found.region.component].graph, found.region.panels);
   Piece piece{.part = found.region.part, .cause = found.region.cause, .net = std::move(net)};
   piece.motion = make_motion(graph, found, piece.net);
   piece.check = check_net(mesh, piece.net);
   piece.outlines = boundary_walks(piece.net);
+  piece.necks = neck_lengths(graph, found.folds, scale);
   return piece;
 }
 
@@ -77,6 +92,20 @@ const char* unit_name(Unit unit) {
     default:
       return "millimetres";
   }
+}
+
+/// Where pieces hang together by little. Whoever knows may strengthen them with tape.
+void add_neck_notice(JobState& state) {
+  std::string names;
+  for (const Piece& piece : state.result.pieces) {
+    if (piece.necks.empty()) continue;
+    names += (names.empty() ? "" : ", ") + piece.name;
+  }
+  if (names.empty()) return;
+  state.notices.push_back({"weak-necks",
+                           "folds under 5 mm hold many faces on both sides and may tear: "
+                           "strengthen them with tape on the back; pieces " +
+                               names});
 }
 
 /// What a person should know about the size: a unit that was guessed, parts that were cut again.
@@ -145,6 +174,7 @@ class PaperStage : public Stage {
     }
     add_size_notices(state);
     add_pin_notice(state, draft.lost_pins);
+    add_neck_notice(state);
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;
@@ -165,8 +195,8 @@ class PaperStage : public Stage {
   void add_piece(const JobState& state) {
     const std::size_t i = pieces_.size();
     PaperDraft& draft = plan_->draft;
-    Piece& piece =
-        pieces_.emplace_back(make_piece(state, mesh_, draft.nets[i], std::move(draft.flat[i])));
+    Piece& piece = pieces_.emplace_back(
+        make_piece(state, mesh_, draft.sheets.scale, draft.nets[i], std::move(draft.flat[i])));
     piece.name = std::move(draft.names[i]);
     piece.angle = std::atan2(draft.sheets.turns[i].s, draft.sheets.turns[i].c);
     piece.flaps = std::move(draft.flaps.flaps[i]);

@@ -44,6 +44,7 @@ struct Piece {
   NetCheck check = {};
   PieceMotion motion = {};
   std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`
+  std::vector<double> necks = {};  ///< lengths of its necks in mm, ascending; see `find_necks`
 };
 
 /// A net as plain values that outlive its job, for another job to start from. Faces and edges are

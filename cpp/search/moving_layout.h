@@ -61,6 +61,7 @@ class MovingLayout {
   MovingTree tree_;
   MovingPlaces<FlatSpace> flat_;
   std::vector<MovingPlaces<FoldedSpace>> folded_;
+  std::vector<int> order_;  ///< of `folded_`: roughly, those that refuse most swaps first
   int tried_ = -1;
 };
 

@@ -25,6 +25,23 @@ async function chosen(page: Page): Promise<number[]> {
   return names.map((name) => Number(name.replace('Part ', '')));
 }
 
+/** Clicks a piece on a sheet, somewhere inside: the middle of its box may lie outside. */
+async function clickPiece(page: Page, selector: string): Promise<void> {
+  const piece = page.locator(selector).first();
+  await piece.scrollIntoViewIfNeeded();
+  const [x, y] = await piece.evaluate((path: SVGPathElement) => {
+    const { x: left, y: top, width, height } = path.getBBox();
+    const shares = Array.from({ length: 30 }, (_, i) => (i + 0.5) / 30);
+    const points = shares.flatMap((u) =>
+      shares.map((v) => new DOMPoint(left + u * width, top + v * height)),
+    );
+    const inside = points.find((point) => path.isPointInFill(point))!;
+    const place = inside.matrixTransform(path.getScreenCTM()!);
+    return [place.x, place.y] as const;
+  });
+  await page.mouse.click(x, y);
+}
+
 /** The hash of the result that a change leads to. */
 async function changed(studio: StudioPage, before: string): Promise<string> {
   await studio.page.locator(`#result:not([data-hash="${before}"])`).waitFor();
@@ -72,9 +89,9 @@ test('a click on the model or on a sheet chooses a part', () =>
     await expect.poll(() => chosen(page).then(({ length }) => length)).toBe(1);
     const [picked] = await chosen(page);
     await page.mouse.click(box.x + 2, box.y + 2);
-    await page.locator('[data-area]:not([data-selected])').first().click();
+    await clickPiece(page, '[data-area]:not([data-selected])');
     expect(await chosen(page)).toEqual([1, 2]);
-    await page.locator('[data-area]').first().click();
+    await clickPiece(page, '[data-area]');
     expect(await chosen(page)).toHaveLength(1);
     expect([1, 2]).toContain(picked);
     // A drag turns the model and chooses nothing.
@@ -119,8 +136,9 @@ test('a change that is cancelled, or cannot be made, leaves the result as it was
     const { page } = studio;
     await page.fill('#parts', '2');
     // Long enough to be cancelled.
-    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '65535'));
+    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '30000'));
     await studio.choose('ring.obj', objText(wavyRing(6)));
+    await page.locator('#result-title', { hasText: 'ring' }).waitFor({ timeout: 120_000 });
     const first = await studio.resultOf('ring');
     await part(page, 1).click();
     await press(page, 'Split this part');

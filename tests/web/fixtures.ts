@@ -161,6 +161,7 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     },
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
+    necks: Float64Array.of(),
     flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
     labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
     tapeMarks: new Float64Array(),

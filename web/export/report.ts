@@ -35,6 +35,8 @@ export interface PieceReport {
   height_mm: number;
   foldable: Piece['foldable'];
   certified: boolean;
+  /** Lengths of folds that are too short for what hangs at them. */
+  necks_mm: number[];
 }
 
 /** What a run did, for programs; `report.schema.json` describes it field by field. */
@@ -71,6 +73,7 @@ function pieceReport(piece: Piece): PieceReport {
     height_mm: piece.height,
     foldable: piece.foldable,
     certified: piece.motion !== undefined,
+    necks_mm: Array.from(piece.necks),
   };
 }
 

@@ -218,6 +218,8 @@ export interface Piece {
   /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
    * walked there and back. */
   outlines: Int32Array[];
+  /** Lengths in mm, ascending, of folds that are too short for what hangs at them on both sides. */
+  necks: Float64Array;
   flaps: Flaps;
   /** No text touches a line, or another text. */
   labels: PieceLabel[];
