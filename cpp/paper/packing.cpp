@@ -26,11 +26,14 @@ constexpr std::size_t kManyPieces = 50;
 // Sheets before the last so many count as full.
 constexpr std::size_t kOpenSheets = 20;
 
-// Words of rasters that are looked at before trying ends: a fifth of a second.
-constexpr std::int64_t kMostWork = 80'000'000;
+// Words of rasters that are looked at before trying ends: a quarter of a second.
+constexpr std::int64_t kMostWork = 50'000'000;
 
 // And in a step: some milliseconds.
 constexpr std::int64_t kWorkPerStep = 2'000'000;
+
+// Changes of the best order in a row that may make nothing better.
+constexpr std::size_t kPatience = 60;
 
 // Last sheets whose used heights differ by less count as equal when parts would be torn apart.
 constexpr double kEqualHeight = 10;
@@ -228,7 +231,10 @@ class Packer::Work {
   void perturb() {
     const bool is_single =
         items_.size() > kManyPieces || strategies_[best_strategy_].order.size() < 2;
-    if (is_single || static_cast<int>(current_) >= task_.effort || work_ > kMostWork) return;
+    if (is_single || static_cast<int>(current_) >= task_.effort || work_ > kMostWork ||
+        current_ > best_strategy_ + kPatience) {
+      return;
+    }
     Strategy next = strategies_[best_strategy_];
     const int count = static_cast<int>(next.order.size());
     const int from = random_.below(count);

@@ -31,7 +31,7 @@ struct PackingTask {
 /// Packs pieces into rooms: one after the other, each turned and put as far up on the first sheet
 /// as it goes, on a raster of 1 mm that keeps the gap. Of many orders the best is taken, by the
 /// number of sheets and the height used of the last one, and among nearly equal ones that which
-/// tears fewer parts apart. Trying ends after an amount of work that takes half a second.
+/// tears fewer parts apart. Trying ends after an amount of work that takes a quarter of a second.
 class Packer {
  public:
   /// What the task refers to must outlive the packer. \pre each piece fits the room in some turn

@@ -130,7 +130,7 @@ SheetLayout fit_on_sheets(std::vector<Net>& nets, const SheetOptions& options = 
     for (Vec2& p : net.vertices) p *= scale;
     prints.push_back(footprint_of(net));
   }
-  SheetLayout layout = lay_on_sheets({.pieces = prints, .options = options});
+  SheetLayout layout = lay_on_sheets({.pieces = prints, .options = options, .effort = 6});
   layout.scale = scale;
   for (std::size_t i = 0; i < nets.size(); ++i) {
     for (Vec2& p : nets[i].vertices) p = layout.turns[i](p);
