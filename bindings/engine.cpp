@@ -9,6 +9,7 @@
 #include "options.h"
 #include "pipeline/job.h"
 #include "pipeline/wire.h"
+#include "start.h"
 #include "values.h"
 
 namespace {
@@ -19,6 +20,7 @@ using foldwright::to_array;
 
 EMSCRIPTEN_DECLARE_VAL_TYPE(BytesValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(OptionsValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(StartValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(TaskValue);
 
@@ -28,12 +30,28 @@ EventsValue to_values(const foldwright::Events& events) {
   return EventsValue(array);
 }
 
+/// A surface that tasks run on.
+class SurfaceHandle {
+ public:
+  explicit SurfaceHandle(std::shared_ptr<const foldwright::Surface> surface)
+      : surface_(std::move(surface)) {}
+
+  std::shared_ptr<const foldwright::Surface> get() const { return surface_; }
+
+ private:
+  std::shared_ptr<const foldwright::Surface> surface_;
+};
+
 /// A job behind a boundary that no exception crosses: what goes wrong becomes its one event.
 class JobHandle {
  public:
-  JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options) {
+  JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options,
+            const StartValue& start) {
     try {
-      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options));
+      std::optional<foldwright::JobStart> from;
+      if (!start.isNull()) from = foldwright::start_from(start);
+      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options),
+                   std::move(from));
     } catch (const std::bad_alloc&) {
       failure_ = {"out-of-memory", "the model needs more memory than there is"};
     } catch (const std::exception& error) {
@@ -62,8 +80,13 @@ class JobHandle {
     return TaskValue(object);
   }
 
-  /// Bytes of a surface that a taken task named.
-  BytesValue surface(int key) const { return BytesValue(to_array(encode(*surfaces_.at(key)))); }
+  /// A surface that a taken task named, for tasks that this instance of the engine runs itself.
+  SurfaceHandle* surface(int key) const { return new SurfaceHandle(surfaces_.at(key)); }
+
+  /// Its bytes, for others.
+  BytesValue surface_bytes(int key) const {
+    return BytesValue(to_array(encode(*surfaces_.at(key))));
+  }
 
   EventsValue report(int task, const BytesValue& status) {
     return to_values(job_->report(task, foldwright::decode_status(bytes_from(status))));
@@ -79,18 +102,6 @@ class JobHandle {
   std::optional<foldwright::Job> job_;
   foldwright::ErrorEvent failure_;
   std::map<int, std::shared_ptr<const foldwright::Surface>> surfaces_;
-};
-
-/// A surface that tasks run on, in an instance of the engine that has not read the model.
-class SurfaceHandle {
- public:
-  explicit SurfaceHandle(const BytesValue& bytes)
-      : surface_(foldwright::decode_surface(bytes_from(bytes))) {}
-
-  std::shared_ptr<const foldwright::Surface> get() const { return surface_; }
-
- private:
-  std::shared_ptr<const foldwright::Surface> surface_;
 };
 
 /// Runs one task. Memory that runs out ends the worker, which its owner replaces.
@@ -110,11 +121,13 @@ class TaskHandle {
 };
 
 JobHandle* create_job(const BytesValue& bytes, const std::string& file_name,
-                      const OptionsValue& options) {
-  return new JobHandle(bytes, file_name, options);
+                      const OptionsValue& options, const StartValue& start) {
+  return new JobHandle(bytes, file_name, options, start);
 }
 
-SurfaceHandle* create_surface(const BytesValue& bytes) { return new SurfaceHandle(bytes); }
+SurfaceHandle* create_surface(const BytesValue& bytes) {
+  return new SurfaceHandle(foldwright::decode_surface(bytes_from(bytes)));
+}
 
 TaskHandle* create_task(const SurfaceHandle& surface, const BytesValue& task) {
   return new TaskHandle(surface, task);
@@ -126,6 +139,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   using emscripten::allow_raw_pointers;
   emscripten::register_type<BytesValue>("Uint8Array");
   emscripten::register_type<OptionsValue>("import('../../model/job.js').JobOptions");
+  emscripten::register_type<StartValue>("import('../../model/job.js').JobStart | null");
   emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");
   emscripten::register_type<TaskValue>(
       "{ id: number; surface: number; bytes: Uint8Array } | undefined");
@@ -134,7 +148,8 @@ EMSCRIPTEN_BINDINGS(foldwright) {
       .function("advance", &JobHandle::advance)
       .function("cancel", &JobHandle::cancel)
       .function("takeTask", &JobHandle::take_task)
-      .function("surface", &JobHandle::surface)
+      .function("surface", &JobHandle::surface, allow_raw_pointers())
+      .function("surfaceBytes", &JobHandle::surface_bytes)
       .function("report", &JobHandle::report)
       .function("complete", &JobHandle::complete);
   emscripten::class_<SurfaceHandle>("Surface");

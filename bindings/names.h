@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "pipeline/result.h"
+
 namespace foldwright {
 
 /// A word that JavaScript has for a value.
@@ -19,7 +21,7 @@ Enum from_name(std::span<const Name<Enum>> names, const std::string& text) {
   for (const auto& name : names) {
     if (text == name.text) return name.value;
   }
-  throw std::invalid_argument("unknown word in the options: " + text);
+  throw std::invalid_argument("unknown word: " + text);
 }
 
 template <class Enum>
@@ -29,5 +31,14 @@ std::string name_of(std::span<const Name<Enum>> names, Enum value) {
   }
   throw std::logic_error("a value without a name");
 }
+
+inline constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
+                                          {"no-net", Cause::kNoNet},
+                                          {"no-motion", Cause::kNoMotion},
+                                          {"sheet", Cause::kSheet}};
+inline constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
+                                              {"no", Folding::kNone},
+                                              {"line", Folding::kLine},
+                                              {"waypoints", Folding::kWaypoints}};
 
 }  // namespace foldwright

@@ -29,6 +29,12 @@ constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
                                          {"one", FlapSide::kOne},
                                          {"alternate", FlapSide::kAlternate},
                                          {"both", FlapSide::kBoth}};
+constexpr Name<EdgeFlaps> kEdgeFlaps[] = {{"none", EdgeFlaps::kNone},
+                                          {"left", EdgeFlaps::kLeft},
+                                          {"right", EdgeFlaps::kRight},
+                                          {"both", EdgeFlaps::kBoth}};
+constexpr Name<GlueStrips> kGlueStrips[] = {
+    {"none", GlueStrips::kNone}, {"free", GlueStrips::kFree}, {"all", GlueStrips::kAll}};
 constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
                                        {"inside", IdPlace::kInside},
                                        {"flap", IdPlace::kFlap},
@@ -43,6 +49,29 @@ constexpr Name<Orientation> kOrientations[] = {{"auto", Orientation::kAuto},
                                                {"landscape", Orientation::kLandscape}};
 
 std::string word(const val& value) { return value.as<std::string>(); }
+
+double radians(const val& degrees) { return degrees.as<double>() * std::numbers::pi / 180; }
+
+FlapChoice flap_choice(const val& object) {
+  return {object["from"].as<int>(), object["to"].as<int>(),
+          from_name<EdgeFlaps>(kEdgeFlaps, word(object["flaps"]))};
+}
+
+PartName part_name(const val& object) { return {object["part"].as<int>(), word(object["name"])}; }
+
+PinnedPiece pinned_piece(const val& object) {
+  const Placement place = {object["sheet"].as<int>(), object["x"].as<double>(),
+                           object["y"].as<double>()};
+  return {object["part"].as<int>(), object["face"].as<int>(), {place, radians(object["angle"])}};
+}
+
+/// The items of an array.
+template <class Convert>
+auto items(const val& array, Convert&& convert) {
+  std::vector<decltype(convert(array))> found;
+  for (const val& item : emscripten::vecFromJSArray<val>(array)) found.push_back(convert(item));
+  return found;
+}
 
 }  // namespace
 
@@ -61,12 +90,18 @@ JobOptions options_from(const val& object) {
   options.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, word(object["unit"]));
+  options.compaction = object["compaction"].as<bool>();
   options.ids = from_name<IdPlace>(kIdPlaces, word(object["ids"]));
+  options.strips = from_name<GlueStrips>(kGlueStrips, word(object["glueStrips"]));
+  options.names = items(object["names"], part_name);
+  options.pins = items(object["pins"], pinned_piece);
+  options.flaps.borders = object["flapBorders"].as<bool>();
+  options.flaps.choices = items(object["flapEdges"], flap_choice);
   options.flaps.side = from_name<FlapSide>(kFlapSides, word(object["flapSide"]));
   FlapShape& flap = options.flaps.shape;
   flap.height = object["flapHeight"].as<double>();
   flap.least = std::min(flap.least, flap.height);
-  flap.angle = object["flapAngle"].as<double>() * std::numbers::pi / 180;
+  flap.angle = radians(object["flapAngle"]);
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, word(object["orientation"]));

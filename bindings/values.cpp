@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "names.h"
@@ -12,15 +13,6 @@ namespace foldwright {
 namespace {
 
 using emscripten::val;
-
-constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
-                                   {"no-net", Cause::kNoNet},
-                                   {"no-motion", Cause::kNoMotion},
-                                   {"sheet", Cause::kSheet}};
-constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
-                                       {"no", Folding::kNone},
-                                       {"line", Folding::kLine},
-                                       {"waypoints", Folding::kWaypoints}};
 
 template <class T>
 val copied(const char* array, const std::vector<T>& values) {
@@ -140,7 +132,19 @@ val flap_counts_value(const JobResult& result) {
   object.set("missing", missing);
   object.set("wanted_mm", counts.wanted_length);
   object.set("missing_mm", counts.missing_length);
+  object.set("borders", counts.borders);
+  object.set("strips", static_cast<int>(result.strips.size()));
+  object.set("taped", result.taped);
   return object;
+}
+
+/// x and y of both ends of each stroke.
+std::vector<double> coordinates_of(std::span<const Stroke> strokes) {
+  std::vector<double> values;
+  for (const auto& [from, to] : strokes) {
+    values.insert(values.end(), {from.x(), from.y(), to.x(), to.y()});
+  }
+  return values;
 }
 
 /// Texts lie on the sheet as the piece does; angles in degrees.
@@ -151,6 +155,21 @@ val label_value(const Label& label) {
   object.set("y", label.centre.y());
   object.set("angle", label.angle * 180 / std::numbers::pi);
   object.set("size", label.size);
+  if (label.leader) object.set("leader", doubles(coordinates_of(std::array{*label.leader})));
+  return object;
+}
+
+val strip_value(const Strip& strip) {
+  std::vector<double> outline;
+  for (const Vec2& p : strip.outline) outline.insert(outline.end(), {p.x(), p.y()});
+  val object = val::object();
+  object.set("id", strip.number);
+  object.set("modelEdge", strip.mesh_edge);
+  object.set("sheet", strip.sheet);
+  object.set("outline", doubles(outline));
+  object.set("fold", doubles(coordinates_of(std::array{strip.fold})));
+  object.set("foldAngle", strip.angle * 180 / std::numbers::pi);
+  object.set("label", label_value(strip.label));
   return object;
 }
 
@@ -175,6 +194,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
     for (const Vec2& p : flap.corners) size = size.cwiseMax(p);
   }
   object.set("id", id);
+  object.set("name", piece.name);
   object.set("part", piece.part);
   object.set("cause", name_of<Cause>(kCauses, piece.cause));
   object.set("overlaps", piece.check.overlaps);
@@ -187,11 +207,14 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("foldable", name_of<Folding>(kFoldings, piece.motion.kind));
   if (!piece.motion.times.empty()) object.set("motion", motion_value(piece));
   object.set("outlines", list(piece.outlines, ints));
+  object.set("necks", doubles(piece.necks));
   object.set("flaps", flaps_value(piece.flaps));
   object.set("labels", list(piece.labels, label_value));
+  object.set("tapeMarks", doubles(coordinates_of(piece.tape_marks)));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
   object.set("y", place.y);
+  object.set("angle", piece.angle * 180 / std::numbers::pi);
   return object;
 }
 
@@ -202,6 +225,18 @@ val pieces_value(const JobResult& result) {
         "push", piece_value(result.pieces[i], static_cast<int>(i), result.sheets.placements[i]));
   }
   return array;
+}
+
+val saved_net_value(const SavedNet& net) {
+  val object = val::object();
+  object.set("part", net.part);
+  object.set("cause", name_of<Cause>(kCauses, net.cause));
+  object.set("faces", ints(net.faces));
+  object.set("folds", ints(net.folds));
+  object.set("foldable", name_of<Folding>(kFoldings, net.motion.kind));
+  object.set("times", doubles(net.motion.times));
+  object.set("shares", list(net.motion.shares, doubles));
+  return object;
 }
 
 val sheets_value(const SheetLayout& layout) {
@@ -226,7 +261,9 @@ val result_value(const JobResult& result) {
   object.set("labels", ints(result.labels));
   object.set("parts", result.parts);
   object.set("pieces", pieces_value(result));
+  object.set("nets", list(result.nets, saved_net_value));
   object.set("sheets", sheets_value(result.sheets));
+  object.set("strips", list(result.strips, strip_value));
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);
   object.set("flaps", flap_counts_value(result));
@@ -260,7 +297,7 @@ val typed(const char* type) {
 }
 
 const char* stage_name(StageId stage) {
-  constexpr const char* kNames[] = {"read", "learn", "cluster", "search", "paper"};
+  constexpr const char* kNames[] = {"read", "learn", "cluster", "search", "compact", "paper"};
   return kNames[static_cast<int>(stage)];
 }
 

@@ -28,23 +28,27 @@ constexpr int kGlances = 32;
 // Added to every bound, in mean edge lengths: far above rounding, far below any clearance.
 constexpr double kSlack = 1e-9;
 
-/// What a face covers along an axis: now, and at both ends of an interval.
+/// What a face covers along an axis.
 struct Shadow {
-  double low, high, low_before, high_before, low_after, high_after;
+  double low, high;
 };
 
-Shadow shadow(const Vec3& axis, const Triangle3& face, const Triangle3& way, const Vec3& origin) {
-  std::array<double, 3> at, move;
-  for (int i = 0; i < 3; ++i) {
-    at[i] = axis.dot(face[i] - origin);
-    move[i] = axis.dot(way[i]);
-  }
-  const auto [low, high] = std::minmax({at[0], at[1], at[2]});
-  const auto [low_before, high_before] =
-      std::minmax({at[0] - move[0], at[1] - move[1], at[2] - move[2]});
-  const auto [low_after, high_after] =
-      std::minmax({at[0] + move[0], at[1] + move[1], at[2] + move[2]});
-  return {low, high, low_before, high_before, low_after, high_after};
+using Along = std::array<double, 3>;  ///< places of a face's corners along an axis
+
+Along along(const Vec3& axis, const Triangle3& face) {
+  return {axis.dot(face[0]), axis.dot(face[1]), axis.dot(face[2])};
+}
+
+/// Of the corners, and so far on their ways.
+Shadow shadow(const Along& at, const Along& way, double so_far) {
+  const double p = at[0] + so_far * way[0];
+  const double q = at[1] + so_far * way[1];
+  const double r = at[2] + so_far * way[2];
+  return {std::min(std::min(p, q), r), std::max(std::max(p, q), r)};
+}
+
+Shadow shadow(const Along& at) {
+  return {std::min(std::min(at[0], at[1]), at[2]), std::max(std::max(at[0], at[1]), at[2])};
 }
 
 template <int N, class Triangle>
@@ -67,6 +71,7 @@ Certificate::Certificate(const Foldable& foldable, std::span<const int> folds, L
       leg_(std::move(leg)),
       depth_(graph_->panel_count(), 0),
       rank_(graph_->panel_count(), 0),
+      chain_(graph_->panel_count(), 0),
       rates_(graph_->panel_count(), 0),
       turning_(graph_->panel_count(), 0),
       bending_(graph_->panel_count(), 0),
@@ -79,6 +84,7 @@ Certificate::Certificate(const Foldable& foldable, std::span<const int> folds, L
     panel_of_.insert(panel_of_.end(), graph_->panel_faces(panel).size(), panel);
   }
   measure_panels();
+  find_chains();
   const double most = *std::max_element(turning_.begin(), turning_.end());
   slices_ =
       static_cast<int>(std::clamp<double>(kSlicesPerRadian * most, kFewestSlices, kMostSlices));
@@ -181,12 +187,30 @@ std::vector<Certificate::Pair> Certificate::near_pairs(double r) const {
   return pairs;
 }
 
-int Certificate::meeting_panel(int a, int b) const {
-  while (a != b) {
-    int& lower = depth_[a] >= depth_[b] ? a : b;
-    lower = tree_.parent[lower];
+/// Cuts the tree into chains, each panel with the child that most panels hang from: any way to the
+/// root meets few of them.
+void Certificate::find_chains() {
+  std::vector<int> below(graph_->panel_count(), 1);
+  std::vector<int> heaviest(graph_->panel_count(), -1);
+  for (std::size_t i = tree_.order.size(); i-- > 1;) {
+    const int panel = tree_.order[i];
+    const int parent = tree_.parent[panel];
+    below[parent] += below[panel];
+    int& heavy = heaviest[parent];
+    if (heavy == -1 || below[panel] > below[heavy]) heavy = panel;
   }
-  return a;
+  for (const int panel : tree_.order) {
+    const int parent = tree_.parent[panel];
+    chain_[panel] = parent != -1 && heaviest[parent] == panel ? chain_[parent] : panel;
+  }
+}
+
+int Certificate::meeting_panel(int a, int b) const {
+  while (chain_[a] != chain_[b]) {
+    int& lower = depth_[chain_[a]] >= depth_[chain_[b]] ? a : b;
+    lower = tree_.parent[chain_[lower]];
+  }
+  return depth_[a] <= depth_[b] ? a : b;
 }
 
 /// Bounds how far apart two points of the net are while every fold turns for `r`: a distance grows
@@ -287,22 +311,33 @@ Certificate::Verdict Certificate::judge(const Pair& pair, double r) const {
   const double error = 0.5 * r * r * (curving(panel_a, pair.meet) + curving(panel_b, pair.meet)) +
                        kSlack * graph_->unit;
   const Twist& frame = twists_[pair.meet];
-  Triangle3 way_a, way_b;
+  // Relative to a corner, which keeps the rounding small far from the origin.
+  Triangle3 at_a, at_b, way_a, way_b;
   for (int i = 0; i < 3; ++i) {
+    at_a[i] = a[i] - a[0];
+    at_b[i] = b[i] - a[0];
     way_a[i] = r * (twists_[panel_a].at(a[i]) - frame.at(a[i]));
     way_b[i] = r * (twists_[panel_b].at(b[i]) - frame.at(b[i]));
   }
   bool apart_now = false;
   bool apart_always = false;
   for_separating_axes(a, b, [&](const Vec3& axis) {
-    const Shadow now_a = shadow(axis, a, way_a, a[0]);
-    const Shadow now_b = shadow(axis, b, way_b, a[0]);
-    const double gap = std::max(now_b.low - now_a.high, now_a.low - now_b.high);
-    if (gap <= 0) return false;
+    const Along now_a = along(axis, at_a);
+    const Along now_b = along(axis, at_b);
+    // Most axes fail here.
+    const Shadow a_now = shadow(now_a);
+    const Shadow b_now = shadow(now_b);
+    if (std::max(b_now.low - a_now.high, a_now.low - b_now.high) <= 0) return false;
     apart_now = true;
-    const double least = std::max(
-        std::min(now_b.low_before - now_a.high_before, now_b.low_after - now_a.high_after),
-        std::min(now_a.low_before - now_b.high_before, now_a.low_after - now_b.high_after));
+    const Along move_a = along(axis, way_a);
+    const Along move_b = along(axis, way_b);
+    const Shadow a_before = shadow(now_a, move_a, -1);
+    const Shadow b_before = shadow(now_b, move_b, -1);
+    const Shadow a_after = shadow(now_a, move_a, 1);
+    const Shadow b_after = shadow(now_b, move_b, 1);
+    const double least =
+        std::max(std::min(b_before.low - a_before.high, b_after.low - a_after.high),
+                 std::min(a_before.low - b_before.high, a_after.low - b_after.high));
     apart_always = least > 0 && least * least > error * error * axis.squaredNorm();
     return apart_always;
   });

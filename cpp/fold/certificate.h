@@ -62,6 +62,7 @@ class Certificate {
   };
 
   void measure_panels();
+  void find_chains();
   int glance();
   int begin_slice();
   int halve();
@@ -89,7 +90,8 @@ class Certificate {
 
   std::vector<int> panel_of_;      ///< per face
   std::vector<int> depth_, rank_;  ///< per panel: below the root; in the tree's order
-  std::vector<double> rates_;      ///< per panel: how far its fold to the parent turns over the leg
+  std::vector<int> chain_;     ///< per panel: the top of the chain that it is in; see `find_chains`
+  std::vector<double> rates_;  ///< per panel: how far its fold to the parent turns over the leg
   /// Per panel, summed over the panels on the way from the root: how far folds turn, how that bends
   /// what hangs from them (see `curving`), and the panels' diameters.
   std::vector<double> turning_, bending_, length_;

@@ -253,4 +253,10 @@ DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels) {
   return part;
 }
 
+std::map<int, int> hinges_by_edge(const DualGraph& graph) {
+  std::map<int, int> hinges;
+  for (int h = 0; h < graph.hinge_count(); ++h) hinges[graph.hinges[h].edges[0]] = h;
+  return hinges;
+}
+
 }  // namespace foldwright

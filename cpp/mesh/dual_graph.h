@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -70,5 +71,8 @@ DualGraph build_dual_graph(const Mesh& mesh);
 
 /// The part of `graph` made of `panels` (ascending), with the hinges between them.
 DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels);
+
+/// Hinges of a graph by their first mesh edge, which names them in every graph that has them.
+std::map<int, int> hinges_by_edge(const DualGraph& graph);
 
 }  // namespace foldwright

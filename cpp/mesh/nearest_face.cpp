@@ -4,6 +4,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "geometry/box_tree.h"
+#include "geometry/triangle3.h"
+
 namespace foldwright {
 namespace {
 
@@ -11,22 +14,17 @@ namespace {
 // benchmark, where it gains half a point of Rand index.
 constexpr double kNormalWeight = 0.1;
 
-/// A face as the queries need it: a ball around it for the bound, its corners for the distance.
 struct Target {
-  Vec3 centre;
-  double radius;
   Vec3 normal;
-  std::array<Vec3, 3> corners;
+  Triangle3 corners;
 };
 
-std::array<Vec3, 3> corners_of(const Mesh& mesh, int face) {
+Triangle3 corners_of(const Mesh& mesh, int face) {
   const auto& [a, b, c] = mesh.faces[face];
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-Vec3 normal_of(const std::array<Vec3, 3>& t) {
-  return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-}
+Vec3 normal_of(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
 double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -50,15 +48,16 @@ double triangle_distance2(const Vec3& p, const Target& t) {
 std::vector<Target> make_targets(const Mesh& mesh) {
   std::vector<Target> targets;
   for (int face = 0; face < mesh.face_count(); ++face) {
-    Target target{Vec3::Zero(), 0, Vec3::Zero(), corners_of(mesh, face)};
-    target.centre = (target.corners[0] + target.corners[1] + target.corners[2]) / 3;
-    target.normal = normal_of(target.corners);
-    for (const Vec3& corner : target.corners) {
-      target.radius = std::max(target.radius, (corner - target.centre).norm());
-    }
-    targets.push_back(target);
+    const Triangle3 corners = corners_of(mesh, face);
+    targets.push_back({normal_of(corners), corners});
   }
   return targets;
+}
+
+BoxTree make_tree(const std::vector<Target>& targets) {
+  std::vector<Box3> boxes;
+  for (const Target& target : targets) boxes.push_back(box_of(target.corners));
+  return BoxTree(boxes);
 }
 
 }  // namespace
@@ -66,12 +65,13 @@ std::vector<Target> make_targets(const Mesh& mesh) {
 std::vector<int> nearest_faces(const Mesh& from, const Mesh& to) {
   assert(to.face_count() > 0);
   const std::vector<Target> targets = make_targets(to);
+  const BoxTree tree = make_tree(targets);
   const double unit = mean_edge_length(to);
   const double normal_weight = kNormalWeight * unit * unit;
   std::vector<int> nearest;
   nearest.reserve(from.faces.size());
   for (int face = 0; face < from.face_count(); ++face) {
-    const std::array<Vec3, 3> corners = corners_of(from, face);
+    const Triangle3 corners = corners_of(from, face);
     const Vec3 point = (corners[0] + corners[1] + corners[2]) / 3;
     const Vec3 normal = normal_of(corners);
     const auto cost = [&](int i) {
@@ -81,16 +81,12 @@ std::vector<int> nearest_faces(const Mesh& from, const Mesh& to) {
     // Neighbours in a file are mostly neighbours in space: the last answer is a good first bound.
     int best = nearest.empty() ? 0 : nearest.back();
     double least = cost(best);
-    double reach = std::sqrt(least);
-    for (int i = 0; i < static_cast<int>(targets.size()); ++i) {
-      const double bound = targets[i].radius + reach;
-      if ((point - targets[i].centre).squaredNorm() > bound * bound) continue;
+    // The distance alone is no more than the cost.
+    tree.visit_near(point, least, [&](int i) {
       const double value = cost(i);
-      if (value > least || (value == least && i >= best)) continue;
-      least = value;
-      best = i;
-      reach = std::sqrt(least);
-    }
+      if (value < least || (value == least && i < best)) least = value, best = i;
+      return least;
+    });
     nearest.push_back(best);
   }
   return nearest;

@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "paper/room_profile.h"
-#include "unfold/net.h"
+#include "paper/flap_room.h"
 
 namespace foldwright {
 
@@ -17,9 +16,25 @@ enum class FlapSide {
   kBoth
 };
 
+/// Which sides of one edge get flaps, seen along it.
+enum class EdgeFlaps { kNone, kLeft, kRight, kBoth };
+
+/// A person's choice for one edge of the mesh.
+struct FlapChoice {
+  int from, to;  ///< vertices of the mesh
+  EdgeFlaps flaps;
+};
+
+/// Shorter cut edges hold by their neighbours, mm.
+inline constexpr double kWantedLength = 4;
+
 struct FlapOptions {
   FlapSide side = FlapSide::kOne;
   FlapShape shape = {};
+  bool borders = false;  ///< whether open borders of the model get flaps as well
+  /// Edges that do not go by `side`; of several choices for one edge the last counts. Edges that
+  /// are not cut are folds whatever is chosen.
+  std::vector<FlapChoice> choices = {};
 };
 
 /// A flap of a net.
@@ -31,25 +46,19 @@ struct Flap {
   double angle;  ///< fold angle of its base in radians: valley positive, mountain negative
 };
 
-/// Why a cut edge has no flap.
-enum class FlapMiss {
-  kShort,   ///< the edge is too short for one
-  kThin,    ///< the faces on both sides are too thin to hide one
-  kNarrow,  ///< the faces beside it leave too narrow a wedge
-  kBlocked  ///< other faces or flaps are in the way
-};
-
 struct MissedFlap {
   int mesh_edge;
   FlapMiss why;
 };
 
 /// What came of the wish for flaps, over the cut edges between two faces longer than 4 mm: shorter
-/// ones get flaps where there is room, but paper holds without.
+/// ones get flaps where there is room, but paper holds without. Edges for which a person chose none
+/// want none.
 struct FlapCounts {
   int wanted = 0;
   int full = 0, shrunk = 0;                      ///< by the better side
   double wanted_length = 0, missing_length = 0;  ///< mm
+  int borders = 0;                               ///< flaps on open borders
 };
 
 struct FlapPlan {
@@ -65,7 +74,8 @@ struct FlapPlan {
 /// highest flap that fits, on the side where it is higher. `nets`: in millimetres, free of
 /// overlaps; angles come from `mesh`. Edges with a face in none of the nets get no flap.
 /// `keep_off`: per net further convex polygons that flaps must not overlap; or empty.
-/// Time: cut edges times faces of a net.
+/// Time: n log n in the cut edges for faces of about equal size.
+/// \throw InputError if a choice names an edge that the mesh has not
 FlapPlan place_flaps(const Mesh& mesh, std::span<const Net> nets, const FlapOptions& options,
                      std::span<const std::vector<std::vector<Vec2>>> keep_off = {});
 

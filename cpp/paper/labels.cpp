@@ -4,11 +4,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 
-#include "geometry/convex2.h"
+#include "paper/callouts.h"
 #include "paper/outline.h"
 #include "paper/seams.h"
+#include "paper/tape_marks.h"
 
 namespace foldwright {
 namespace {
@@ -17,127 +17,106 @@ namespace {
 constexpr double kNameSizes[] = {6, 4.5, 3.5, 2.5};
 // Ids are looked at from close by: 1.4 mm is 4 pt, the least that laser and inkjet printers render.
 constexpr double kIdSizes[] = {3, 2.5, 2, 1.7, 1.4};
+constexpr double kLeastId = 1.4;
 
 // Between a text and the middle of a line, of which half is 0.13 mm.
 constexpr double kNameClearance = 0.7;
-constexpr double kIdClearance = 0.3;
+constexpr double kIdClearance = 0.25;
 
 constexpr int kPlacesPerEdge = 9;
 
-/// A text's box, turned.
-struct TextBox {
-  Vec2 centre, along;
-  double half_width, half_height;
+// How far a text may move away from its edge, in steps, and still seem to belong to it; mm.
+constexpr double kAways[] = {0, 0.4, 0.8};
 
-  Vec2 up() const { return {-along.y(), along.x()}; }
-  std::array<Vec2, 4> corners() const {
-    const Vec2 x = half_width * along;
-    const Vec2 y = half_height * up();
-    return {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
+// Sides of seams that are served in a step: a few milliseconds.
+constexpr int kSidesPerStep = 100;
+
+/// Where an id may go: in a band beside a base, from `from` in direction `along`.
+struct Band {
+  Vec2 from, along;
+  Vec2 across;                        ///< unit vector away from the base
+  double length;                      ///< of the base
+  double depth;                       ///< of the band; 0: no end
+  std::span<const Vec2> within = {};  ///< a convex polygon, counter-clockwise; empty: anywhere
+};
+
+/// Whether a box lies within a convex polygon, or there is none.
+bool is_within(const TextBox& box, std::span<const Vec2> polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& a = polygon[i];
+    const Vec2 side = polygon[(i + 1) % polygon.size()] - a;
+    const auto is_left = [&](const Vec2& p) { return cross(side, p - a) >= 0; };
+    if (!std::ranges::all_of(box.corners(), is_left)) return false;
   }
-};
-
-TextBox box_around(const std::string& text, double size, const Vec2& centre, const Vec2& along,
-                   double clearance) {
-  return {centre, along, 0.5 * text_width(text) * size + clearance,
-          0.5 * kCapHeight * size + clearance};
+  return true;
 }
 
-struct Line {
-  Vec2 from, to;
-};
-
-/// Whether a line has a point within a box (Liang and Barsky's clipping).
-bool meets(const TextBox& box, const Line& line) {
-  double enter = 0;
-  double leave = 1;
-  const auto clip = [&](const Vec2& axis, double half) {
-    const double start = axis.dot(line.from - box.centre);
-    const double step = axis.dot(line.to - line.from);
-    if (std::abs(step) < 1e-12) return std::abs(start) < half;
-    const double a = (-half - start) / step;
-    const double b = (half - start) / step;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-    return enter < leave;
-  };
-  return clip(box.along, box.half_width) && clip(box.up(), box.half_height);
-}
-
-/// The texts of one net and the lines that they keep off.
+/// The texts of one net.
 class Writer {
  public:
-  Writer(const Net& net, std::span<const Flap> flaps) {
-    for (const NetEdge& edge : net.edges) {
-      if (edge.assignment == Assignment::kFlat) continue;
-      lines_.push_back({net.vertices[edge.vertices[0]], net.vertices[edge.vertices[1]]});
-    }
-    for (const Flap& flap : flaps) {
-      for (int i = 0; i < 3; ++i) lines_.push_back({flap.corners[i], flap.corners[i + 1]});
-    }
+  Writer(const Net& net, std::span<const Flap> flaps)
+      : space_(net, flaps), callouts_(net, kLeastId, kIdClearance) {}
+
+  /// The name in a face, large rather than near the middle of the net.
+  void write_name(const Net& net, const std::string& name);
+
+  /// Writes a text in the band as large as it goes, near its middle and close to the base.
+  bool write_in_band(const Band& band, const std::string& text) {
+    return std::ranges::any_of(kIdSizes,
+                               [&](double size) { return write_in_band(band, text, size); });
   }
 
-  bool is_free(const TextBox& box) const {
-    const auto corners = box.corners();
-    const Box2 around = box_of(corners);
-    for (const Line& line : lines_) {
-      if (around.meets(box_of(std::array{line.from, line.to}).grown(1e-9)) && meets(box, line)) {
-        return false;
+  /// Writes apart from the edge, with a line that leads to it; false if there is no room.
+  bool call_out(const SeamSide& side, const std::string& text) {
+    const auto found = callouts_.find(space_, side, text);
+    if (!found) return false;
+    write(text, found->size, found->box);
+    space_.take(found->leader);
+    labels_.back().leader = found->leader;
+    return true;
+  }
+
+  const LabelSpace& space() const { return space_; }
+  std::vector<Label> take() { return std::move(labels_); }
+
+ private:
+  bool write_in_band(const Band& band, const std::string& text, double size) {
+    const TextBox shape = box_around(text, size, band.from, band.along, kIdClearance);
+    const double spare = band.length - 2 * shape.half_width;
+    const double depth = 2 * shape.half_height;
+    if (spare < 0 || (band.depth > 0 && depth > band.depth)) return false;
+    for (const double further : kAways) {
+      if (band.depth > 0 && depth + further > band.depth) break;
+      for (int i = 0; i < kPlacesPerEdge; ++i) {
+        // From the middle to both ends in turn.
+        const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+        const double x = 0.5 * band.length + spare * step / (kPlacesPerEdge - 1);
+        const double y = shape.half_height + 1e-6 + further;
+        TextBox box = shape;
+        box.centre = band.from + x * band.along + y * band.across;
+        // A narrow flap has no room beside its slanted sides, which a box need not touch.
+        if (!is_within(box, band.within) || !space_.is_free(box)) continue;
+        write(text, size, box);
+        return true;
       }
     }
-    return std::ranges::none_of(taken_, [&](const std::array<Vec2, 4>& other) {
-      return convex_overlap(corners, other, 0);
-    });
+    return false;
   }
 
   void write(const std::string& text, double size, const TextBox& box) {
-    taken_.push_back(box.corners());
+    space_.take(box);
     // Turned by half a turn where it would stand on its head; straight up reads from below.
     const bool is_upright = box.along.x() > 1e-9 || (box.along.x() > -1e-9 && box.along.y() > 0);
     const Vec2 along = is_upright ? box.along : -box.along;
     labels_.push_back({text, box.centre, std::atan2(along.y(), along.x()), size});
   }
 
-  std::vector<Label> take() { return std::move(labels_); }
-
- private:
-  std::vector<Line> lines_;
-  std::vector<std::array<Vec2, 4>> taken_;
+  LabelSpace space_;
+  CalloutFinder callouts_;
   std::vector<Label> labels_;
 };
 
-/// Where an id may go: in a band beside a base, from `from` in direction `along`.
-struct Band {
-  Vec2 from, along;
-  Vec2 across;    ///< unit vector away from the base
-  double length;  ///< of the base
-  double depth;   ///< of the band; 0: no end
-};
-
-/// Writes a text in the band as large as it goes, near its middle, close to the base or in the
-/// middle of a band of some depth.
-bool write_in_band(Writer& writer, const Band& band, const std::string& text) {
-  for (const double size : kIdSizes) {
-    const double width = text_width(text) * size + 2 * kIdClearance;
-    const double height = kCapHeight * size + 2 * kIdClearance;
-    if (width > band.length || (band.depth > 0 && height > band.depth)) continue;
-    const double away = band.depth > 0 ? 0.5 * band.depth : 0.5 * height + 1e-6;
-    for (int i = 0; i < kPlacesPerEdge; ++i) {
-      // From the middle to both ends in turn.
-      const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
-      const double shift = (band.length - width) * step / (kPlacesPerEdge - 1);
-      const Vec2 centre = band.from + (0.5 * band.length + shift) * band.along + away * band.across;
-      const TextBox box = box_around(text, size, centre, band.along, kIdClearance);
-      if (!writer.is_free(box)) continue;
-      writer.write(text, size, box);
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The name in a face, large rather than near the middle of the net.
-void write_name(Writer& writer, const Net& net, const std::string& name) {
+void Writer::write_name(const Net& net, const std::string& name) {
   Vec2 middle = Vec2::Zero();
   double total = 0;
   std::vector<Vec2> centres;
@@ -160,8 +139,8 @@ void write_name(Writer& writer, const Net& net, const std::string& name) {
   for (const double size : kNameSizes) {
     for (const auto& [distance, i] : order) {
       const TextBox box = box_around(name, size, centres[i], Vec2(1, 0), kNameClearance);
-      if (!writer.is_free(box)) continue;
-      writer.write(name, size, box);
+      if (!space_.is_free(box)) continue;
+      write(name, size, box);
       return;
     }
   }
@@ -174,94 +153,159 @@ Band inside_band(const SeamSide& side) {
 
 Band flap_band(const SeamSide& side, const Flap& flap) {
   const Vec2 along = (side.to - side.from).normalized();
-  return {flap.corners[0], along, Vec2(along.y(), -along.x()),
-          (flap.corners[3] - flap.corners[0]).norm(), flap.height};
+  return {flap.corners[0],
+          along,
+          Vec2(along.y(), -along.x()),
+          (flap.corners[3] - flap.corners[0]).norm(),
+          flap.height,
+          flap.corners};
 }
 
-/// Writes one side's id where it is wanted; false if it is nowhere.
-bool write_id(Writer& writer, const SeamSide& side, const Flap* flap, IdPlace place,
-              const std::vector<std::string>& texts) {
-  const auto write = [&](const Band& band) {
-    return std::ranges::any_of(
-        texts, [&](const std::string& text) { return write_in_band(writer, band, text); });
+}  // namespace
+
+class LabelPlacer::Work {
+ public:
+  explicit Work(const LabelTask& task) : task_(task), seams_(find_seams(task.nets)) {
+    numbers_ = number_seams(task.nets, seams_);
+    written_.resize(seams_.size());
+    for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
+      for (const int s : {0, 1}) open_.push_back({i, s});
+    }
+    // Long edges have more places to choose from.
+    std::ranges::stable_sort(
+        open_, {}, [&](const Side& side) { return seams_[side.seam].sides[side.side].length(); });
+  }
+
+  bool step() {
+    if (writers_.size() < task_.nets.size()) {
+      const std::size_t n = writers_.size();
+      writers_.emplace_back(task_.nets[n], task_.flaps[n]);
+      writers_[n].write_name(task_.nets[n], task_.names[n]);
+      return false;
+    }
+    if (task_.place == IdPlace::kNone) next_ = open_.size();
+    for (int i = 0; i < kSidesPerStep && next_ < open_.size(); ++i) serve(open_[next_++]);
+    if (next_ < open_.size()) return false;
+    if (!calling_out_) {
+      // What found no place beside its edge, once all else stands.
+      calling_out_ = true;
+      std::erase_if(open_, [&](const Side& side) { return is_written(side); });
+      next_ = 0;
+      return false;
+    }
+    finish();
+    return true;
+  }
+
+  LabelPlan take() { return std::move(plan_); }
+
+ private:
+  struct Side {
+    int seam, side;
   };
-  const bool on_flap =
-      place != IdPlace::kInside && flap != nullptr && write(flap_band(side, *flap));
-  if (place == IdPlace::kFlap && on_flap) return true;
-  return write(inside_band(side)) || on_flap;
-}
 
-/// Seams in the order of their numbers: along the outlines, piece by piece.
-std::vector<int> numbered(std::span<const Net> nets, std::span<const Seam> seams) {
+  char& is_written(const Side& at) { return written_[at.seam][at.side]; }
+
+  /// From the fullest form to the shortest.
+  std::vector<std::string> texts_of(const Side& at) const {
+    const Seam& seam = seams_[at.seam];
+    const int other = seam.sides[1 - at.side].net;
+    std::vector<std::string> texts = {std::to_string(numbers_[at.seam])};
+    if (other != seam.sides[at.side].net) {
+      texts.insert(texts.begin(), task_.names[other] + ":" + texts[0]);
+    }
+    return texts;
+  }
+
+  void serve(const Side& at) {
+    const SeamSide& side = seams_[at.seam].sides[at.side];
+    Writer& writer = writers_[side.net];
+    const std::vector<std::string> texts = texts_of(at);
+    if (calling_out_) {
+      is_written(at) = writer.call_out(side, texts.back());
+      return;
+    }
+    const auto write = [&](const Band& band) {
+      return std::ranges::any_of(
+          texts, [&](const std::string& text) { return writer.write_in_band(band, text); });
+    };
+    const auto& flaps = task_.flaps[side.net];
+    const auto flap = std::ranges::lower_bound(flaps, side.edge, {}, &Flap::edge);
+    const bool has_flap = flap != flaps.end() && flap->edge == side.edge;
+    const bool on_flap =
+        has_flap && task_.place != IdPlace::kInside && write(flap_band(side, *flap));
+    const bool is_enough = on_flap && task_.place == IdPlace::kFlap;
+    is_written(at) = is_enough || write(inside_band(side)) || on_flap;
+  }
+
+  void finish() {
+    plan_.tape_marks.resize(task_.nets.size());
+    for (std::size_t i = 0; i < seams_.size(); ++i) {
+      const Seam& seam = seams_[i];
+      if (task_.place != IdPlace::kNone) {
+        const bool is_complete = written_[i][0] && written_[i][1];
+        if (is_complete) ++plan_.printed;
+        if (!is_complete) plan_.skipped.push_back(numbers_[i]);
+      }
+      if (!std::ranges::binary_search(task_.tape, seam.mesh_edge)) continue;
+      const auto marks = tape_marks(
+          seam, {&writers_[seam.sides[0].net].space(), &writers_[seam.sides[1].net].space()});
+      for (const int s : {0, 1}) {
+        auto& all = plan_.tape_marks[seam.sides[s].net];
+        all.insert(all.end(), marks[s].begin(), marks[s].end());
+      }
+    }
+    std::ranges::sort(plan_.skipped);
+    for (Writer& writer : writers_) plan_.labels.push_back(writer.take());
+  }
+
+  LabelTask task_;
+  std::vector<Seam> seams_;
+  std::vector<int> numbers_;                  ///< per seam
+  std::vector<std::array<char, 2>> written_;  ///< per seam and side
+  std::vector<Side> open_;
+  std::size_t next_ = 0;  ///< of `open_`
+  bool calling_out_ = false;
+  std::vector<Writer> writers_;
+  LabelPlan plan_;
+};
+
+LabelPlacer::LabelPlacer(const LabelTask& task) : work_(std::make_unique<Work>(task)) {}
+LabelPlacer::~LabelPlacer() = default;
+bool LabelPlacer::step() { return work_->step(); }
+LabelPlan LabelPlacer::take() { return work_->take(); }
+
+std::vector<int> number_seams(std::span<const Net> nets, std::span<const Seam> seams) {
   std::map<std::pair<int, int>, int> seam_from;  // by net and the vertex that the edge starts from
   for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
     for (const SeamSide& side : seams[i].sides) {
       seam_from[{side.net, nets[side.net].edges[side.edge].vertices[0]}] = i;
     }
   }
-  std::vector<char> seen(seams.size(), 0);
-  std::vector<int> order;
+  std::vector<int> numbers(seams.size(), 0);
+  int last = 0;
   for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
     for (const std::vector<int>& walk : boundary_walks(nets[n])) {
       for (const int vertex : walk) {
         const auto seam = seam_from.find({n, vertex});
-        if (seam == seam_from.end() || seen[seam->second]) continue;
-        seen[seam->second] = 1;
-        order.push_back(seam->second);
+        if (seam == seam_from.end() || numbers[seam->second] != 0) continue;
+        numbers[seam->second] = ++last;
       }
     }
   }
-  return order;
+  return numbers;
 }
 
-}  // namespace
+LabelPlan place_labels(const LabelTask& task) {
+  LabelPlacer placer(task);
+  while (!placer.step()) {
+  }
+  return placer.take();
+}
 
 std::string piece_letter(int index) {
   const std::string last(1, static_cast<char>('A' + index % 26));
   return index < 26 ? last : piece_letter(index / 26 - 1) + last;
-}
-
-double text_width(const std::string& text) {
-  double width = 0;
-  for (const char letter : text) {
-    const bool is_digit = letter >= '0' && letter <= '9';
-    width += is_digit ? 0.64 : letter == ':' ? 0.34 : 0.8;
-  }
-  return width;
-}
-
-LabelPlan place_labels(std::span<const Net> nets, std::span<const std::vector<Flap>> flaps,
-                       IdPlace place) {
-  std::vector<Writer> writers;
-  for (std::size_t n = 0; n < nets.size(); ++n) {
-    writers.emplace_back(nets[n], flaps[n]);
-    write_name(writers[n], nets[n], piece_letter(static_cast<int>(n)));
-  }
-  LabelPlan plan;
-  if (place != IdPlace::kNone) {
-    const std::vector<Seam> seams = find_seams(nets);
-    int number = 0;
-    for (const int i : numbered(nets, seams)) {
-      const std::string id = std::to_string(++number);
-      bool is_complete = true;
-      for (const int s : {0, 1}) {
-        const SeamSide& side = seams[i].sides[s];
-        const int other = seams[i].sides[1 - s].net;
-        std::vector<std::string> texts = {id};
-        if (other != side.net) texts.insert(texts.begin(), piece_letter(other) + ":" + id);
-        const auto flap = std::ranges::find(flaps[side.net], side.edge, &Flap::edge);
-        const bool has_flap = flap != flaps[side.net].end();
-        is_complete &= write_id(writers[side.net], side, has_flap ? &*flap : nullptr, place, texts);
-      }
-      if (is_complete) {
-        ++plan.printed;
-      } else {
-        plan.skipped.push_back(number);
-      }
-    }
-  }
-  for (Writer& writer : writers) plan.labels.push_back(writer.take());
-  return plan;
 }
 
 }  // namespace foldwright

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "paper/flaps.h"
+#include "paper/seams.h"
+#include "paper/text_box.h"
 
 namespace foldwright {
 
@@ -20,30 +24,59 @@ struct Label {
   Vec2 centre;   ///< of its box
   double angle;  ///< of its baseline in radians, in (-pi/2, pi/2]: never upside down
   double size;   ///< of the font; mm
+  /// From the text to the edge that it names, where it stands apart from it.
+  std::optional<Stroke> leader = {};
 };
 
 struct LabelPlan {
   std::vector<std::vector<Label>> labels;  ///< per net; the name comes first if it is there
   int printed = 0;                         ///< cut edges with their id at both sides
   std::vector<int> skipped;  ///< ids that are unreadable at one side at least, ascending
+  /// Per net: pairs of short strokes over the edges to be joined by tape, at the same place of both
+  /// sides.
+  std::vector<std::vector<Stroke>> tape_marks;
 };
 
 /// Name of a piece from its index: A, B, .. Z, AA, AB, .. as in the columns of a sheet.
 std::string piece_letter(int index);
 
-/// Height of capitals and digits over the size of their font.
-inline constexpr double kCapHeight = 0.72;
+/// The ids of seams, from 1: they count along the outlines, piece by piece.
+std::vector<int> number_seams(std::span<const Net> nets, std::span<const Seam> seams);
 
-/// Width of a text over the size of its font, at most: no common sans-serif face is wider.
-double text_width(const std::string& text);
+/// What labels are placed on.
+struct LabelTask {
+  std::span<const Net> nets;                 ///< as they lie on their sheets, in millimetres
+  std::span<const std::vector<Flap>> flaps;  ///< per net
+  std::span<const std::string> names;        ///< per net
+  IdPlace place = IdPlace::kBoth;
+  std::span<const int> tape = {};  ///< mesh edges to mark for tape, ascending
+};
 
-/// Names the pieces, and writes the same number at both sides of each cut edge between two faces.
+/// Names pieces, writes the same number at both sides of each cut edge between two faces, and marks
+/// edges for tape.
 ///
-/// Texts of ids lie along their edge, as large as it allows; where another piece is met they name
-/// it (`C:17`) if there is room. No text touches a line that is drawn, or another text. Numbers
-/// count along the outlines, piece by piece. `nets` as they lie on their sheets, in millimetres;
-/// `flaps`: per net.
-LabelPlan place_labels(std::span<const Net> nets, std::span<const std::vector<Flap>> flaps,
-                       IdPlace place);
+/// Texts of ids lie along their edge, as large as it allows, short edges first; where another piece
+/// is met they name it (`C:17`) if there is room. What does not fit beside its edge stands near by,
+/// with a line that leads to the edge. No text touches a line that is drawn, or another text.
+/// Numbers count along the outlines, piece by piece.
+class LabelPlacer {
+ public:
+  /// What the task refers to must outlive the placer.
+  explicit LabelPlacer(const LabelTask& task);
+  ~LabelPlacer();
+
+  /// Does some milliseconds of work; true when all is placed.
+  bool step();
+
+  /// \pre `step` returned true; leaves the placer empty
+  LabelPlan take();
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// All of it at once.
+LabelPlan place_labels(const LabelTask& task);
 
 }  // namespace foldwright

@@ -1,9 +1,13 @@
 #include "paper/packing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <utility>
 
+#include "geometry/random.h"
 #include "paper/raster.h"
 
 namespace foldwright {
@@ -13,6 +17,7 @@ namespace {
 // it may nest, and others spread evenly.
 constexpr std::size_t kTight = 4;
 constexpr std::size_t kSpread = 12;
+constexpr std::size_t kAllTurns = 2 * kTight + kSpread;
 
 // So many would take minutes in all orders and turns. They are taken in one order, each in the
 // smallest box and the same upside down.
@@ -20,6 +25,15 @@ constexpr std::size_t kManyPieces = 50;
 
 // Sheets before the last so many count as full.
 constexpr std::size_t kOpenSheets = 20;
+
+// Words of rasters that are looked at before trying ends: a fifth of a second.
+constexpr std::int64_t kMostWork = 80'000'000;
+
+// And in a step: some milliseconds.
+constexpr std::int64_t kWorkPerStep = 2'000'000;
+
+// Last sheets whose used heights differ by less count as equal when parts would be torn apart.
+constexpr double kEqualHeight = 10;
 
 /// A piece in one turn.
 struct Candidate {
@@ -56,16 +70,22 @@ std::vector<Turn> chosen_turns(std::span<const Vec2> hull, const Extent& room) {
   return chosen;
 }
 
-Item make_item(const Footprint& piece, const Extent& room) {
+std::vector<std::vector<Vec2>> moved(const Footprint& piece, const RigidMotion2& motion) {
+  std::vector<std::vector<Vec2>> polygons = piece.polygons;
+  for (auto& polygon : polygons) {
+    for (Vec2& p : polygon) p = motion(p);
+  }
+  return polygons;
+}
+
+Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turns) {
   const std::vector<Vec2> hull = convex_hull(piece.points());
+  std::vector<Turn> turns = chosen_turns(hull, room);
+  turns.resize(std::min(turns.size(), most_turns));
   Item item;
-  for (const Turn& turn : chosen_turns(hull, room)) {
+  for (const Turn& turn : turns) {
     const RigidMotion2 motion = settle(hull, turn);
-    std::vector<std::vector<Vec2>> polygons = piece.polygons;
-    for (auto& polygon : polygons) {
-      for (Vec2& p : polygon) p = motion(p);
-    }
-    item.candidates.push_back({motion, rasterize(polygons, turn.box)});
+    item.candidates.push_back({motion, rasterize(moved(piece, motion), turn.box)});
   }
   const PieceRaster& first = item.candidates[0].raster;
   for (const auto& runs : first.rows) {
@@ -101,59 +121,210 @@ std::optional<Spot> best_spot(const SheetRaster& sheet, const Item& item, std::s
 struct Strategy {
   std::vector<int> order;
   std::size_t turns;
+  std::size_t same = 0;  ///< pieces at the beginning that lie as in the best packing
 };
 
-Packing pack_by(std::span<const Item> items, const Strategy& strategy, const Extent& room,
-                double gap) {
-  Packing packing;
-  packing.placements.resize(items.size());
-  packing.turns.resize(items.size());
-  std::vector<SheetRaster> sheets;
-  std::vector<double> used;
-  for (const int i : strategy.order) {
-    for (std::size_t s = std::max(sheets.size(), kOpenSheets) - kOpenSheets;; ++s) {
-      if (s == sheets.size()) {
-        sheets.emplace_back(room);
-        used.push_back(0);
-      }
-      const auto spot = best_spot(sheets[s], items[i], strategy.turns);
-      if (!spot) continue;
-      const Candidate& candidate = items[i].candidates[spot->candidate];
-      sheets[s].take(candidate.raster, spot->place, gap);
-      used[s] = std::max(used[s], spot->bottom);
-      packing.turns[i] = candidate.motion;
-      packing.placements[i] = {static_cast<int>(s), spot->place.x * kCell,
-                               room.height - spot->bottom};
-      break;
-    }
+/// Sheets as they fill up.
+struct Sheets {
+  std::vector<SheetRaster> rasters;
+  std::vector<double> used;  ///< per sheet: height from the top
+
+  void add(const Extent& room) {
+    rasters.emplace_back(room);
+    used.push_back(0);
   }
-  packing.sheet_count = static_cast<int>(sheets.size());
-  packing.used_height = used.empty() ? 0 : used.back();
-  return packing;
-}
+};
 
 }  // namespace
 
-Packing pack(std::span<const Footprint> pieces, const Extent& room, double gap) {
-  std::vector<Item> items;
-  for (const Footprint& piece : pieces) items.push_back(make_item(piece, room));
-  std::vector<int> order(items.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater{}, [&](int i) { return items[i].area; });
-  std::vector<int> by_reach = order;
-  std::ranges::stable_sort(by_reach, std::greater{}, [&](int i) { return items[i].reach; });
-  // Turning a piece freely ends it higher, but may spoil the room beside it.
-  const std::size_t all = 2 * kTight + kSpread;
-  if (items.size() > kManyPieces) return pack_by(items, {by_reach, 2}, room, gap);
-  const Strategy strategies[] = {
-      {order, all}, {by_reach, all}, {order, 2 * kTight}, {by_reach, 2 * kTight}};
-  const auto cost = [](const Packing& p) { return std::tuple(p.sheet_count, p.used_height); };
-  std::optional<Packing> best;
-  for (const Strategy& strategy : strategies) {
-    Packing packing = pack_by(items, strategy, room, gap);
-    if (!best || cost(packing) < cost(*best)) best = std::move(packing);
+class Packer::Work {
+ public:
+  explicit Work(const PackingTask& task) : task_(task) {
+    items_.reserve(task.pieces.size());
+    pin_all();
   }
-  return std::move(*best);
-}
+
+  bool step() {
+    if (items_.size() < task_.pieces.size()) {
+      const std::size_t turns = task_.pieces.size() > kManyPieces || is_hurried() ? 2 : kAllTurns;
+      items_.push_back(make_item(task_.pieces[items_.size()], task_.room, turns));
+      return false;
+    }
+    if (strategies_.empty()) make_strategies();
+    for (const std::int64_t end = work_ + kWorkPerStep; work_ < end;) {
+      const Strategy& strategy = strategies_[current_];
+      if (next_ < strategy.order.size() && !is_hopeless()) {
+        history_.resize(next_);
+        history_.push_back(sheets_);
+        place(strategy.order[next_++], strategy.turns);
+        continue;
+      }
+      if (!is_hopeless()) finish();
+      if (++current_ == strategies_.size()) perturb();
+      if (current_ == strategies_.size()) return true;
+      begin();
+      ++work_;  // for orders of nothing
+    }
+    return false;
+  }
+
+  Packing take() { return std::move(*best_); }
+
+ private:
+  bool is_hurried() const { return task_.effort <= 1; }
+  bool is_pinned(int piece) const { return !task_.pins.empty() && task_.pins[piece]; }
+
+  void pin_all() {
+    placed_.placements.resize(task_.pieces.size());
+    placed_.turns.resize(task_.pieces.size());
+    for (std::size_t i = 0; i < task_.pins.size(); ++i) {
+      if (!task_.pins[i]) continue;
+      const auto& [sheet, x, y] = task_.pins[i]->place;
+      while (static_cast<int>(pinned_.rasters.size()) <= sheet) pinned_.add(task_.room);
+      const RigidMotion2 turn = settle_at(task_.pieces[i], task_.pins[i]->angle);
+      placed_.turns[i] = turn;
+      placed_.placements[i] = task_.pins[i]->place;
+      RigidMotion2 motion = turn;
+      motion.t += Vec2(x, y);
+      const PieceRaster raster = rasterize(moved(task_.pieces[i], motion), task_.room);
+      pinned_.rasters[sheet].take(raster, {0, 0}, task_.gap);
+      double& used = pinned_.used[sheet];
+      for (std::size_t row = 0; row < raster.rows.size(); ++row) {
+        if (!raster.rows[row].empty()) used = std::max(used, (row + 1) * kCell);
+      }
+    }
+    begin();
+  }
+
+  void make_strategies() {
+    std::vector<int> order;
+    for (int i = 0; i < static_cast<int>(items_.size()); ++i) {
+      if (!is_pinned(i)) order.push_back(i);
+    }
+    std::ranges::stable_sort(order, std::greater{}, [&](int i) { return items_[i].area; });
+    std::vector<int> by_reach = order;
+    std::ranges::stable_sort(by_reach, std::greater{}, [&](int i) { return items_[i].reach; });
+    if (items_.size() > kManyPieces || is_hurried()) {
+      strategies_ = {{by_reach, 2}};
+      return;
+    }
+    // Turning a piece freely ends it higher, but may spoil the room beside it.
+    strategies_ = {
+        {order, kAllTurns}, {by_reach, kAllTurns}, {order, 2 * kTight}, {by_reach, 2 * kTight}};
+    if (!task_.parts.empty()) strategies_.push_back({by_part(order), kAllTurns});
+  }
+
+  /// Parts one after the other, the largest first.
+  std::vector<int> by_part(std::vector<int> order) const {
+    std::vector<double> areas(*std::ranges::max_element(task_.parts) + 1, 0);
+    for (const int i : order) areas[task_.parts[i]] += items_[i].area;
+    std::ranges::stable_sort(order, std::greater{}, [&](int i) {
+      return std::pair(areas[task_.parts[i]], task_.parts[i]);
+    });
+    return order;
+  }
+
+  /// Adds another order: the best so far with two pieces exchanged, or one moved.
+  void perturb() {
+    const bool is_single =
+        items_.size() > kManyPieces || strategies_[best_strategy_].order.size() < 2;
+    if (is_single || static_cast<int>(current_) >= task_.effort || work_ > kMostWork) return;
+    Strategy next = strategies_[best_strategy_];
+    const int count = static_cast<int>(next.order.size());
+    const int from = random_.below(count);
+    const int to = (from + 1 + random_.below(count - 1)) % count;
+    next.same = static_cast<std::size_t>(std::min(from, to));
+    if (random_.below(2) == 0) {
+      std::swap(next.order[from], next.order[to]);
+    } else {
+      const int piece = next.order[from];
+      next.order.erase(next.order.begin() + from);
+      next.order.insert(next.order.begin() + to, piece);
+    }
+    strategies_.push_back(std::move(next));
+  }
+
+  void begin() {
+    next_ = strategies_.empty() ? 0 : strategies_[current_].same;
+    sheets_ = pinned_;
+    history_.clear();
+    if (next_ == 0) return;
+    sheets_ = best_history_[next_];
+    history_.assign(best_history_.begin(),
+                    best_history_.begin() + static_cast<std::ptrdiff_t>(next_));
+    placed_ = *best_;
+  }
+
+  /// Whether what is placed already takes more paper than the best packing.
+  bool is_hopeless() const {
+    if (!best_) return false;
+    const int count = static_cast<int>(sheets_.rasters.size());
+    if (count != best_->sheet_count) return count > best_->sheet_count;
+    return sheets_.used.back() > std::ceil(best_->used_height / kEqualHeight) * kEqualHeight;
+  }
+
+  void place(int i, std::size_t turns) {
+    const std::size_t first = std::max(sheets_.rasters.size(), kOpenSheets) - kOpenSheets;
+    for (std::size_t s = first;; ++s) {
+      if (s == sheets_.rasters.size()) sheets_.add(task_.room);
+      const std::int64_t before = sheets_.rasters[s].work();
+      const auto spot = best_spot(sheets_.rasters[s], items_[i], turns);
+      work_ += sheets_.rasters[s].work() - before;
+      if (!spot) continue;
+      const Candidate& candidate = items_[i].candidates[spot->candidate];
+      sheets_.rasters[s].take(candidate.raster, spot->place, task_.gap);
+      sheets_.used[s] = std::max(sheets_.used[s], spot->bottom);
+      placed_.turns[i] = candidate.motion;
+      placed_.placements[i] = {static_cast<int>(s), spot->place.x * kCell,
+                               task_.room.height - spot->bottom};
+      return;
+    }
+  }
+
+  /// Parts that lie on several sheets, each sheet beyond the first counted.
+  int torn_parts(const Packing& packing) const {
+    std::set<std::pair<int, int>> places;
+    std::set<int> parts;
+    for (std::size_t i = 0; i < task_.parts.size(); ++i) {
+      places.emplace(task_.parts[i], packing.placements[i].sheet);
+      parts.insert(task_.parts[i]);
+    }
+    return static_cast<int>(places.size() - parts.size());
+  }
+
+  void finish() {
+    placed_.sheet_count = static_cast<int>(sheets_.rasters.size());
+    placed_.used_height = sheets_.used.empty() ? 0 : sheets_.used.back();
+    const auto cost = [&](const Packing& p) {
+      return std::tuple(p.sheet_count, std::ceil(p.used_height / kEqualHeight), torn_parts(p),
+                        p.used_height);
+    };
+    if (best_ && !(cost(placed_) < cost(*best_))) return;
+    best_ = placed_;
+    best_strategy_ = current_;
+    best_history_ = std::move(history_);
+  }
+
+  PackingTask task_;
+  std::vector<Item> items_;
+  Sheets pinned_, sheets_;
+  std::vector<Strategy> strategies_;
+  std::size_t current_ = 0;  ///< strategy
+  std::size_t next_ = 0;     ///< of its order
+  Packing placed_;
+  std::optional<Packing> best_;
+  std::size_t best_strategy_ = 0;
+  /// The sheets before each piece of an order is placed: of the one that goes on, and of the best.
+  std::vector<Sheets> history_, best_history_;
+  // Any seed would do: it is part of the method, so that equal pieces are packed equally.
+  Random random_{1};
+  std::int64_t work_ = 0;
+};
+
+Packer::Packer(const PackingTask& task) : work_(std::make_unique<Work>(task)) {}
+Packer::~Packer() = default;
+Packer::Packer(Packer&&) noexcept = default;
+bool Packer::step() { return work_->step(); }
+Packing Packer::take() { return work_->take(); }
 
 }  // namespace foldwright

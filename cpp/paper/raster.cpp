@@ -140,7 +140,11 @@ std::optional<CellPlace> SheetRaster::find(const PieceRaster& piece, int below) 
     for (const int r : piece.widest_first) {
       const int row = y + r;
       if (is_empty_[row]) continue;
-      for (const auto& run : piece.rows[r]) add_blocked(rows_[row], run, blocked, a, b);
+      for (const auto& run : piece.rows[r]) {
+        add_blocked(rows_[row], run, blocked, a, b);
+        // One pass to shift, one for each doubling of the run, one to join.
+        work_ += static_cast<std::int64_t>(a.size()) * (2 + std::bit_width(0u + run.length));
+      }
       if (!first_zero(blocked, columns)) break;
     }
     if (const auto x = first_zero(blocked, columns)) return CellPlace{*x, y};

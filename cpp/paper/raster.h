@@ -44,6 +44,9 @@ class SheetRaster {
 
   int row_count() const { return static_cast<int>(rows_.size()); }
 
+  /// Words of the raster that `find` has looked at: a measure of work that is the same everywhere.
+  std::int64_t work() const { return work_; }
+
  private:
   using Bits = std::vector<std::uint64_t>;
 
@@ -53,6 +56,7 @@ class SheetRaster {
   int columns_;
   std::vector<Bits> rows_;
   std::vector<char> is_empty_;  ///< per row
+  mutable std::int64_t work_ = 0;
 };
 
 }  // namespace foldwright

@@ -17,9 +17,10 @@ struct Plates {
 
 /// The fold to cut a net at that is too large for `room`, as an index into `folds`.
 ///
-/// Chosen is the cut whose halves take up the fewest rooms, by their boxes in the best turn; of
-/// equals the one whose halves are nearest in area, then the first. Takes time quadratic in the
-/// plates. \pre there is a fold
+/// Chosen is the cut after which the fewest pieces come out, as far as a search of a few cuts ahead
+/// can tell; of equals the one whose halves are nearest in area and most compact, then the first.
+/// Nets of many plates are looked at one cut ahead only. Takes time quadratic in the plates.
+/// \pre there is a fold
 int choose_cut(const Plates& plates, const Extent& room);
 
 }  // namespace foldwright

@@ -7,16 +7,16 @@
 namespace foldwright {
 namespace {
 
-// Finer bins find no more flaps that are worth cutting out; a base of 3 mm still has 8.
-constexpr double kBin = 0.33;
+// A base has so many bins: those of 3 mm still tell one flap from another, and long ones take no
+// longer than they must.
 constexpr int kLeastBins = 8;
-constexpr int kMostBins = 96;
+constexpr int kMostBins = 320;
 
 // Between a flap and what is beside it.
 constexpr double kGap = 0.05;
 
 // What is no higher above the base than this lies below it.
-constexpr double kRounding = 1e-9;
+constexpr double kRounding = 1e-7;
 
 constexpr double kStep = 0.5;      // in which heights go down
 constexpr double kLeastTop = 0.3;  // mm; narrower than a pencil line
@@ -25,62 +25,77 @@ struct Span {
   double from, to;
 };
 
+/// A height at which a flap may end, and how far its sides lean in up to there.
+struct Level {
+  double height, inset;
+};
+
 /// Where the top of a flap of this height may lie for its triangle and the slope of its sides.
-Span top_limits(double length, const Vec2& apex, const FlapShape& shape, double height) {
-  if (height >= apex.y()) return {1, 0};
-  const double share = height / apex.y();
-  const double inset = height / std::tan(shape.angle);
-  return {std::max(apex.x() * share, inset),
-          std::min(length - (length - apex.x()) * share, length - inset)};
+Span top_limits(double length, const Vec2& apex, const Level& level) {
+  if (level.height >= apex.y()) return {1, 0};
+  const double share = level.height / apex.y();
+  return {std::max(apex.x() * share, level.inset),
+          std::min(length - (length - apex.x()) * share, length - level.inset)};
 }
 
-/// Least x of the left foot for a top that begins at `top`: the side lies below the profile.
-double left_foot(const RoomProfile& profile, double top, double height) {
+/// A profile seen from one end.
+struct FromEnd {
+  const RoomProfile* profile;
+  bool right;
+
+  double operator[](std::size_t i) const {
+    return profile->room[right ? profile->room.size() - 1 - i : i];
+  }
+};
+
+/// Where a top may begin at the earliest: its side, as steep as may be, lies below the bins before
+/// `end`, where the top has its run.
+double earliest_top(const FromEnd& room, std::size_t end, const Level& level) {
+  const double bin = room.profile->bin();
+  double top = level.inset;
+  for (std::size_t i = 0; i < end; ++i) {
+    if (room[i] >= level.height) continue;
+    // The side is highest at the bin's far end.
+    top = std::max(top, (i + 1) * bin + level.inset * (1 - room[i] / level.height));
+  }
+  return top;
+}
+
+/// Where the foot of a side may stand at the earliest whose top begins at `top`.
+double earliest_foot(const FromEnd& room, std::size_t end, double top, const Level& level) {
+  const double bin = room.profile->bin();
   double foot = 0;
-  const double bin = profile.bin();
-  for (std::size_t i = 0; i * bin < top && i < profile.room.size(); ++i) {
-    const double room = profile.room[i];
-    if (room >= height) continue;
-    // The side is highest at the bin's right end.
-    const double right = std::min((i + 1) * bin, top);
-    foot = std::max(foot, (height * right - room * top) / (height - room));
+  for (std::size_t i = 0; i < end; ++i) {
+    if (room[i] >= level.height) continue;
+    const double far = (i + 1) * bin;
+    foot = std::max(foot, (level.height * far - room[i] * top) / (level.height - room[i]));
   }
   return foot;
 }
 
-RoomProfile mirrored(const RoomProfile& profile) {
-  RoomProfile back = profile;
-  std::reverse(back.room.begin(), back.room.end());
-  return back;
-}
-
-/// The start of the top nearest to `from` that has room for its side; none up to `to`.
-std::optional<Span> left_side(const RoomProfile& profile, Span top, double height, double inset) {
-  const double bin = profile.bin();
-  for (double x = top.from; x + kLeastTop <= top.to; x += bin) {
-    const double foot = left_foot(profile, x, height);
-    if (foot <= x - inset + 1e-12) return Span{foot, x};
-  }
-  return std::nullopt;
-}
-
-/// The flap whose top lies within a run of bins that all have room for it.
-std::optional<Trapezoid> flap_in(const RoomProfile& profile, Span run, double height,
-                                 double inset) {
+/// The flap whose top lies within the bins from `first` to before `last`, which all have room.
+std::optional<Trapezoid> flap_in(const RoomProfile& profile, std::size_t first, std::size_t last,
+                                 const Span& limits, const Level& level) {
   const double length = profile.length;
-  const auto left = left_side(profile, run, height, inset);
-  if (!left) return std::nullopt;
-  const Span rest = {length - run.to, length - left->to};
-  const auto right = left_side(mirrored(profile), rest, height, inset);
-  if (!right) return std::nullopt;
-  return Trapezoid{height, {left->from, length - right->from}, {left->to, length - right->to}};
+  const FromEnd left = {&profile, false};
+  const FromEnd right = {&profile, true};
+  const std::size_t after = profile.room.size() - last;
+  const double from =
+      std::max({limits.from, first * profile.bin(), earliest_top(left, first, level)});
+  const double to =
+      std::min({limits.to, last * profile.bin(), length - earliest_top(right, after, level)});
+  if (to - from < kLeastTop) return std::nullopt;
+  return Trapezoid{level.height,
+                   {earliest_foot(left, first, from, level),
+                    length - earliest_foot(right, after, length - to, level)},
+                   {from, to}};
 }
 
 std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& apex,
                                         const FlapShape& shape, double height) {
-  const Span limits = top_limits(profile.length, apex, shape, height);
-  const double inset = height / std::tan(shape.angle);
-  const double bin = profile.bin();
+  const Level level = {height, height / std::tan(shape.angle)};
+  const Span limits = top_limits(profile.length, apex, level);
+  if (limits.to - limits.from < kLeastTop) return std::nullopt;
   std::optional<Trapezoid> best;
   const std::size_t bins = profile.room.size();
   for (std::size_t i = 0; i < bins;) {
@@ -88,12 +103,9 @@ std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& 
       ++i;
       continue;
     }
-    std::size_t end = i;
-    while (end < bins && profile.room[end] >= height) ++end;
-    const Span run = {std::max(limits.from, i * bin), std::min(limits.to, end * bin)};
-    i = end;
-    if (run.to - run.from < kLeastTop) continue;
-    const auto flap = flap_in(profile, run, height, inset);
+    const std::size_t first = i;
+    while (i < bins && profile.room[i] >= height) ++i;
+    const auto flap = flap_in(profile, first, i, limits, level);
     if (flap && (!best || flap->top[1] - flap->top[0] > best->top[1] - best->top[0])) best = flap;
   }
   return best;
@@ -101,8 +113,8 @@ std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& 
 
 }  // namespace
 
-RoomProfile open_room(double length, double most) {
-  const int bins = std::clamp(static_cast<int>(std::ceil(length / kBin)), kLeastBins, kMostBins);
+RoomProfile open_room(double length, double most, double bin) {
+  const int bins = std::clamp(static_cast<int>(std::ceil(length / bin)), kLeastBins, kMostBins);
   return {length, std::vector<double>(bins, most)};
 }
 
@@ -112,8 +124,12 @@ void lower_below(RoomProfile& profile, std::span<const Vec2> polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     Vec2 a = polygon[i];
     Vec2 b = polygon[(i + 1) % polygon.size()];
-    if (a.x() > b.x()) std::swap(a, b);
-    if (b.x() <= 0 || a.x() >= profile.length || std::max(a.y(), b.y()) < kRounding) continue;
+    const bool is_below = a.x() < b.x();  // the polygon lies above this side
+    if (!is_below) std::swap(a, b);
+    if (b.x() <= kRounding || a.x() >= profile.length - kRounding) continue;
+    // A side along the base leaves no room above it, but is no obstacle to what lies above.
+    const double least = is_below ? -kRounding : kRounding;
+    if (std::max(a.y(), b.y()) < least) continue;
     const int first = std::clamp(static_cast<int>(std::floor(a.x() / bin)), 0, bins - 1);
     const int last = std::clamp(static_cast<int>(std::floor(b.x() / bin)), 0, bins - 1);
     const double slope = b.x() > a.x() ? (b.y() - a.y()) / (b.x() - a.x()) : 0;
@@ -125,7 +141,9 @@ void lower_below(RoomProfile& profile, std::span<const Vec2> polygon) {
         const double to = a.y() + slope * (std::min(b.x(), (k + 1) * bin) - a.x());
         std::tie(low, high) = std::minmax(from, to);
       }
-      if (high > kRounding) profile.room[k] = std::min(profile.room[k], std::max(0.0, low - kGap));
+      if (high > least) {
+        profile.room[k] = std::min(profile.room[k], std::max(0.0, low - kGap));
+      }
     }
   }
 }

@@ -30,8 +30,14 @@ struct RoomProfile {
   double bin() const { return length / static_cast<double>(room.size()); }
 };
 
-/// A profile of a base that has room of height `most` everywhere.
-RoomProfile open_room(double length, double most);
+/// Width of bins that is fine enough to compare nets by.
+inline constexpr double kCoarseBin = 0.33;
+
+/// Width of bins that loses hardly any room next to slanted edges; mm, less than scissors can tell.
+inline constexpr double kFineBin = 0.1;
+
+/// A profile of a base that has room of height `most` everywhere; `bin`: width of its bins, about.
+RoomProfile open_room(double length, double most, double bin = kCoarseBin);
 
 /// Lowers a profile below a convex polygon in the coordinates of the base, less a gap that keeps
 /// scissors and glue off. What lies below the base is not looked at. Linear in its corners and the

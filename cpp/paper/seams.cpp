@@ -17,6 +17,23 @@ std::map<std::pair<int, int>, std::pair<int, int>> directed_edges(const Net& net
   return edges;
 }
 
+/// Calls `visit` with every side of a cut.
+template <class Visit>
+void for_cuts(std::span<const Net> nets, Visit&& visit) {
+  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+    const Net& net = nets[n];
+    const auto faces = directed_edges(net);
+    for (int e = 0; e < static_cast<int>(net.edges.size()); ++e) {
+      const NetEdge& edge = net.edges[e];
+      if (edge.assignment != Assignment::kCut) continue;
+      const auto& [from, to] = edge.vertices;
+      const auto [face, corner] = faces.at({from, to});
+      const int third = net.corners[face][(corner + 2) % 3];
+      visit(SeamSide{n, e, face, net.vertices[from], net.vertices[to], net.vertices[third]});
+    }
+  }
+}
+
 }  // namespace
 
 Vec2 SeamSide::local(const Vec2& p) const {
@@ -31,24 +48,23 @@ Vec2 SeamSide::global(const Vec2& p) const {
 
 std::vector<Seam> find_seams(std::span<const Net> nets) {
   std::map<int, std::vector<SeamSide>> sides;  // by mesh edge
-  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
-    const Net& net = nets[n];
-    const auto faces = directed_edges(net);
-    for (int e = 0; e < static_cast<int>(net.edges.size()); ++e) {
-      const NetEdge& edge = net.edges[e];
-      if (edge.assignment != Assignment::kCut) continue;
-      const auto& [from, to] = edge.vertices;
-      const auto [face, corner] = faces.at({from, to});
-      const int third = net.corners[face][(corner + 2) % 3];
-      sides[edge.mesh_edge].push_back(
-          {n, e, face, net.vertices[from], net.vertices[to], net.vertices[third]});
-    }
-  }
+  for_cuts(nets, [&](const SeamSide& side) {
+    sides[nets[side.net].edges[side.edge].mesh_edge].push_back(side);
+  });
   std::vector<Seam> seams;
   for (auto& [edge, both] : sides) {
     if (both.size() == 2) seams.push_back({edge, {both[0], both[1]}});
   }
   return seams;
+}
+
+std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets) {
+  std::vector<SeamSide> borders;
+  for_cuts(nets, [&](const SeamSide& side) {
+    const int edge = nets[side.net].edges[side.edge].mesh_edge;
+    if (mesh.edges[edge].faces[1] == -1) borders.push_back(side);
+  });
+  return borders;
 }
 
 }  // namespace foldwright

@@ -32,4 +32,7 @@ struct Seam {
 /// side, and are none. Takes n log n.
 std::vector<Seam> find_seams(std::span<const Net> nets);
 
+/// The sides of open borders of the mesh, by net, then edge.
+std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets);
+
 }  // namespace foldwright

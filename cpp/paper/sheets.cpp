@@ -1,8 +1,11 @@
 #include "paper/sheets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
+#include "geometry/convex2.h"
 #include "mesh/input_error.h"
 #include "paper/packing.h"
 #include "paper/rows.h"
@@ -12,6 +15,30 @@ namespace {
 
 // The largest piece stays this share below the printable size, so that rounding cannot clip it.
 constexpr double kFitSlack = 1 - 1e-9;
+
+// What a person drags comes back through decimals; a hundredth of a millimetre is no overlap.
+constexpr double kPinSlack = 0.01;
+
+/// Whether two pieces where they lie overlap.
+bool collide(const Footprint& a, const Footprint& b) {
+  return std::ranges::any_of(a.polygons, [&](const std::vector<Vec2>& polygon) {
+    return std::ranges::any_of(b.polygons, [&](const std::vector<Vec2>& other) {
+      return convex_overlap(polygon, other, kPinSlack);
+    });
+  });
+}
+
+// Printers leave up to this much of the edge white, unless the margin says that this one does not.
+constexpr double kUnprinted = 4;
+
+// Rulers with their figures, and two lines of text.
+constexpr double kRuledBand = 5.5;
+
+/// The part of a sheet for pieces.
+Extent room_on(const Extent& sheet, const SheetOptions& options) {
+  const double taken = ruled_margin(options) + options.margin;
+  return {sheet.width - taken, sheet.height - taken};
+}
 
 /// Among the turns that fit, the one with the smallest box; wider than high among near equals,
 /// since rows waste less with low pieces.
@@ -39,34 +66,149 @@ Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, doub
   }
   RowLayout rows = lay_in_rows(boxes, room, gap);
   packing.sheet_count = rows.sheet_count;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (rows.places[i].sheet + 1 < rows.sheet_count) continue;
+    packing.used_height = std::max(packing.used_height, room.height - rows.places[i].y);
+  }
   packing.placements = std::move(rows.places);
   return packing;
 }
 
-SheetLayout make_layout(std::span<const Footprint> pieces, const Extent& sheet,
-                        const SheetOptions& options) {
-  const Extent room = {sheet.width - 2 * options.margin, sheet.height - 2 * options.margin};
-  Packing packing = pack(pieces, room, options.gap);
-  // Rarely, boxes happen to fit better than what a greedy packing of shapes comes to.
-  Packing rows = pack_in_rows(pieces, room, options.gap);
-  if (rows.sheet_count < packing.sheet_count) packing = std::move(rows);
-  SheetLayout layout;
-  layout.turns = std::move(packing.turns);
-  layout.placements = std::move(packing.placements);
-  layout.sheet_width = sheet.width;
-  layout.sheet_height = sheet.height;
-  layout.sheet_count = packing.sheet_count;
-  for (Placement& place : layout.placements) {
-    place.x += options.margin;
-    place.y += options.margin;
+/// Says why pins cannot stay; empty if they can.
+std::string fault_of_pins(const SheetTask& task, const Extent& room) {
+  std::vector<std::pair<std::size_t, Footprint>> placed;
+  for (std::size_t i = 0; i < task.pins.size(); ++i) {
+    if (!task.pins[i]) continue;
+    const auto& [place, angle] = *task.pins[i];
+    RigidMotion2 motion = settle_at(task.pieces[i], angle);
+    const double corner = ruled_margin(task.options);
+    motion.t += Vec2(place.x - corner, place.y - corner);
+    Footprint print = task.pieces[i];
+    for (auto& polygon : print.polygons) {
+      for (Vec2& p : polygon) p = motion(p);
+    }
+    for (const Vec2& p : print.points()) {
+      if (p.x() < -kPinSlack || p.x() > room.width + kPinSlack || p.y() < -kPinSlack ||
+          p.y() > room.height + kPinSlack) {
+        return "piece " + task.names[i] + " is pinned partly outside the printable area of sheet " +
+               std::to_string(place.sheet + 1);
+      }
+    }
+    for (const auto& [j, other] : placed) {
+      if (task.pins[j]->place.sheet == place.sheet && collide(print, other)) {
+        return "pieces " + task.names[j] + " and " + task.names[i] +
+               " are pinned on top of each other on sheet " + std::to_string(place.sheet + 1);
+      }
+    }
+    placed.emplace_back(i, std::move(print));
   }
-  double area = 0;
-  for (const Footprint& piece : pieces) area += piece.face_area;
-  layout.efficiency = area / (sheet.width * sheet.height * layout.sheet_count);
-  return layout;
+  return "";
 }
 
 }  // namespace
+
+class SheetPlanner::Work {
+ public:
+  explicit Work(const SheetTask& task) : task_(task) {
+    printable(task.options);
+    const Extent portrait = {task.options.width, task.options.height};
+    const Extent landscape = {task.options.height, task.options.width};
+    if (task.options.orientation != Orientation::kLandscape) sheets_.push_back(portrait);
+    if (task.options.orientation != Orientation::kPortrait) sheets_.push_back(landscape);
+    check_pins();
+    begin();
+  }
+
+  bool step() {
+    if (!packer_->step()) return false;
+    SheetLayout layout = make_layout(packer_->take());
+    if (!best_ || layout.sheet_count < best_->sheet_count) best_ = std::move(layout);
+    if (++current_ == sheets_.size()) return true;
+    begin();
+    return false;
+  }
+
+  SheetLayout take() { return std::move(*best_); }
+
+ private:
+  Extent room() const { return room_on(sheets_[current_], task_.options); }
+
+  /// Keeps the first sheet on which pins can stay, if there are any.
+  void check_pins() {
+    if (std::ranges::none_of(task_.pins, [](const auto& pin) { return pin.has_value(); })) return;
+    std::string fault;
+    for (current_ = 0; current_ < sheets_.size(); ++current_) {
+      const std::string found = fault_of_pins(task_, room());
+      if (found.empty()) {
+        sheets_ = {sheets_[current_]};
+        current_ = 0;
+        has_pins_ = true;
+        return;
+      }
+      if (fault.empty()) fault = found;
+    }
+    throw InputError("bad-pin", fault);
+  }
+
+  void begin() {
+    room_pins_.assign(task_.pins.begin(), task_.pins.end());
+    for (std::optional<Pin>& pin : room_pins_) {
+      if (!pin) continue;
+      pin->place.x -= ruled_margin(task_.options);
+      pin->place.y -= ruled_margin(task_.options);
+    }
+    PackingTask task = {task_.pieces, room(), task_.options.gap, task_.parts};
+    if (has_pins_) task.pins = room_pins_;
+    task.effort = task_.effort;
+    packer_.emplace(task);
+  }
+
+  SheetLayout make_layout(Packing packing) const {
+    if (!has_pins_) {
+      // Rarely, boxes happen to fit better than what a greedy packing of shapes comes to.
+      Packing rows = pack_in_rows(task_.pieces, room(), task_.options.gap);
+      if (rows.sheet_count < packing.sheet_count) packing = std::move(rows);
+    }
+    const Extent& sheet = sheets_[current_];
+    SheetLayout layout;
+    layout.turns = std::move(packing.turns);
+    layout.placements = std::move(packing.placements);
+    layout.sheet_width = sheet.width;
+    layout.sheet_height = sheet.height;
+    layout.sheet_count = packing.sheet_count;
+    layout.used_height = packing.used_height;
+    for (Placement& place : layout.placements) {
+      place.x += ruled_margin(task_.options);
+      place.y += ruled_margin(task_.options);
+    }
+    double area = 0;
+    for (const Footprint& piece : task_.pieces) area += piece.face_area;
+    layout.efficiency = area / (sheet.width * sheet.height * layout.sheet_count);
+    return layout;
+  }
+
+  SheetTask task_;
+  std::vector<Extent> sheets_;  ///< that are tried
+  std::size_t current_ = 0;
+  bool has_pins_ = false;
+  std::vector<std::optional<Pin>> room_pins_;  ///< from the room's lower left
+  std::optional<Packer> packer_;
+  std::optional<SheetLayout> best_;
+};
+
+SheetPlanner::SheetPlanner(const SheetTask& task) : work_(std::make_unique<Work>(task)) {}
+SheetPlanner::~SheetPlanner() = default;
+SheetPlanner::SheetPlanner(SheetPlanner&&) noexcept = default;
+SheetPlanner& SheetPlanner::operator=(SheetPlanner&&) noexcept = default;
+bool SheetPlanner::step() { return work_->step(); }
+SheetLayout SheetPlanner::take() { return work_->take(); }
+
+SheetLayout lay_on_sheets(const SheetTask& task) {
+  SheetPlanner planner(task);
+  while (!planner.step()) {
+  }
+  return planner.take();
+}
 
 std::vector<Vec2> Footprint::points() const {
   std::vector<Vec2> all;
@@ -76,8 +218,16 @@ std::vector<Vec2> Footprint::points() const {
   return all;
 }
 
+RigidMotion2 settle_at(const Footprint& piece, double angle) {
+  return settle(convex_hull(piece.points()), {std::cos(angle), std::sin(angle), {}});
+}
+
+double ruled_margin(const SheetOptions& options) {
+  return std::max(options.margin, std::min(options.margin, kUnprinted) + kRuledBand);
+}
+
 Extent printable(const SheetOptions& options) {
-  const Extent room = {options.width - 2 * options.margin, options.height - 2 * options.margin};
+  const Extent room = room_on({options.width, options.height}, options);
   if (room.width <= 0 || room.height <= 0) {
     throw InputError("bad-margin",
                      "margins leave nothing of the sheet: paper and margin do not fit");
@@ -96,19 +246,6 @@ double fitting_scale(std::span<const Footprint> pieces, const SheetOptions& opti
     scale = std::min(scale, best);
   }
   return scale * kFitSlack;
-}
-
-SheetLayout lay_on_sheets(std::span<const Footprint> pieces, const SheetOptions& options) {
-  printable(options);
-  const Extent portrait = {options.width, options.height};
-  const Extent landscape = {options.height, options.width};
-  if (options.orientation == Orientation::kLandscape) {
-    return make_layout(pieces, landscape, options);
-  }
-  SheetLayout layout = make_layout(pieces, portrait, options);
-  if (options.orientation == Orientation::kPortrait) return layout;
-  SheetLayout wide = make_layout(pieces, landscape, options);
-  return wide.sheet_count < layout.sheet_count ? wide : layout;
 }
 
 }  // namespace foldwright

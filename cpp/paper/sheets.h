@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/rigid_motion.h"
@@ -35,18 +38,45 @@ struct Placement {
   double x, y;
 };
 
+/// Where a person put a piece: the place of its turned box, and its turn from how it came, in
+/// radians counter-clockwise.
+struct Pin {
+  Placement place;
+  double angle;
+};
+
 /// Pieces of their finished size on sheets.
 struct SheetLayout {
   double scale = 1;  ///< millimetres per model unit; of the pieces that were laid out
   double sheet_width = 0, sheet_height = 0;
   int sheet_count = 0;
-  double efficiency = 0;              ///< area of the faces over area of the sheets
+  double used_height = 0;  ///< of the last sheet, from its upper margin to the lowest piece
+  double efficiency = 0;   ///< area of the faces over area of the sheets
   std::vector<Placement> placements;  ///< per piece
   /// Per piece: turns it as it lies, and moves its box to (0, 0).
   std::vector<RigidMotion2> turns;
 };
 
-/// The part of an upright sheet within the margins.
+/// What is to be laid out.
+struct SheetTask {
+  std::span<const Footprint> pieces;
+  SheetOptions options = {};
+  std::span<const int> parts = {};                ///< per piece: its part; or empty
+  std::span<const std::optional<Pin>> pins = {};  ///< per piece, or empty
+  std::span<const std::string> names = {};        ///< per piece, for what is said of pins
+  int effort = kFullEffort;                       ///< packings that are tried, at most
+
+  static constexpr int kFullEffort = 200;
+};
+
+/// Turns a piece by an angle, in radians counter-clockwise, and moves its box to (0, 0).
+RigidMotion2 settle_at(const Footprint& piece, double angle);
+
+/// What stays free at the left and the lower edge, in millimetres: the margin, or more where that
+/// has no room for the rulers and the title that are printed there.
+double ruled_margin(const SheetOptions& options);
+
+/// The part of an upright sheet for pieces: within the margins, and beside rulers and title.
 /// \throw InputError if the margins leave nothing of it
 Extent printable(const SheetOptions& options);
 
@@ -55,9 +85,33 @@ Extent printable(const SheetOptions& options);
 double fitting_scale(std::span<const Footprint> pieces, const SheetOptions& options);
 
 /// Lays pieces of their finished size, in millimetres, out on sheets by their true shapes, on never
-/// more sheets than rows of bounding boxes take. With automatic orientation the one that needs
-/// fewer sheets is taken, then portrait. \pre each piece fits a sheet in some turn \throw
-/// InputError if the margins leave nothing of the sheet
-SheetLayout lay_on_sheets(std::span<const Footprint> pieces, const SheetOptions& options = {});
+/// more sheets than rows of bounding boxes take.
+///
+/// With automatic orientation the one that needs fewer sheets is taken, then portrait; with pins
+/// the first on which they lie. Pinned pieces stay where they are, and the others are packed around
+/// them. \pre each piece fits a sheet in some turn
+class SheetPlanner {
+ public:
+  /// What the task refers to must outlive the planner.
+  /// \throw InputError if the margins leave nothing of the sheet, or a pinned piece leaves the
+  /// printable area or lies on another one
+  explicit SheetPlanner(const SheetTask& task);
+  ~SheetPlanner();
+  SheetPlanner(SheetPlanner&&) noexcept;
+  SheetPlanner& operator=(SheetPlanner&&) noexcept;
+
+  /// Does some milliseconds of work; true when it is done.
+  bool step();
+
+  /// \pre `step` returned true; leaves the planner empty
+  SheetLayout take();
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// All of it at once.
+SheetLayout lay_on_sheets(const SheetTask& task);
 
 }  // namespace foldwright

@@ -1,9 +1,24 @@
 #include "pipeline/matrix_picture.h"
 #include "pipeline/stage.h"
 #include "segment/curvature_pockets.h"
+#include "segment/subdivide.h"
 
 namespace foldwright {
 namespace {
+
+/// Labels of the surface that was learned on, one per row of the matrix.
+Labels label_learned(const JobState& state, const Component& component) {
+  const Learned& learned = *component.learned;
+  const Mesh& mesh = learned.surface->mesh;
+  const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
+  const JobOptions& options = state.options;
+  // An edit has chosen the numbers of its parts: what is split is not a body but a part.
+  const bool is_part = !component.part_numbers.empty();
+  if (is_part && options.segmenter == Segmenter::kShape) {
+    return subdivide(mesh, graph, learned.matrix, component.parts, options.seed);
+  }
+  return segment(mesh, graph, learned.matrix, {options.segmenter, component.parts, options.seed});
+}
 
 /// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned
 /// on, one per row of the matrix; empty when nothing was learned and the component stays whole.
@@ -11,12 +26,10 @@ Labels label_component(const JobState& state, Component& component) {
   component.labels.assign(component.graph.panel_count(), 0);
   if (!component.learned) return {};
   const Learned& learned = *component.learned;
-  const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
-  const SegmentOptions options = {state.options.segmenter, component.parts, state.options.seed};
-  Labels on_learned = segment(learned.surface->mesh, graph, learned.matrix, options);
+  Labels on_learned = label_learned(state, component);
   const Mesh& mesh = state.surface->mesh;
   Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
-  if (options.segmenter == Segmenter::kShape) {
+  if (state.options.segmenter == Segmenter::kShape) {
     labels = smooth_labels(mesh, component.graph, learned.matrix.size, std::move(labels));
   }
   component.labels = open_pockets(mesh, component.graph, std::move(labels));
@@ -33,13 +46,13 @@ class ClusterStage : public Stage {
     result.labels.assign(state.surface->mesh.faces.size(), -1);
     for (Component& component : state.components) {
       show_matrix(component, label_component(state, component), state.options.runs, events);
-      for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
-        for (const int face : component.graph.panel_faces(panel)) {
-          result.labels[face] = state.parts + component.labels[panel];
-        }
+      const int parts = part_count(component.labels);
+      for (int part = 0; component.part_numbers.size() < static_cast<std::size_t>(parts); ++part) {
+        component.part_numbers.push_back(state.parts + part);
       }
-      state.parts += part_count(component.labels);
+      state.parts += parts;
     }
+    label_faces(state);
     events.push_back(SegmentedEvent{result.labels});
     done_ = true;
   }

@@ -12,7 +12,7 @@
 namespace foldwright {
 
 /// The stages of a job, in their order.
-enum class StageId { kRead, kLearn, kCluster, kSearch, kPaper };
+enum class StageId { kRead, kLearn, kCluster, kSearch, kCompact, kPaper };
 
 struct StageEvent {
   StageId stage;

@@ -9,13 +9,17 @@ namespace foldwright {
 /// From the bytes of a model file to nets on sheets: runs the stages in order and cuts their
 /// parallel work into tasks.
 ///
-/// The same bytes, name and options give the same result, whoever runs the tasks, in whatever order
-/// and slices. None of the functions throws: bad input and exhausted memory become an `ErrorEvent`.
-/// The last event of a job is `DoneEvent`, `CancelledEvent` or `ErrorEvent`; after it nothing more
-/// happens.
+/// The same bytes, name, options and start give the same result, whoever runs the tasks, in
+/// whatever order and slices. None of the functions throws: bad input and exhausted memory become
+/// an `ErrorEvent`. The last event of a job is `DoneEvent`, `CancelledEvent` or `ErrorEvent`; after
+/// it nothing more happens.
 class Job {
  public:
-  Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options);
+  /// With a `start` the job changes an earlier result: it learns and searches only what the edits
+  /// name, and all other parts keep their nets and motions, bit by bit. The options that decide the
+  /// mesh must be those of the earlier job; `JobOptions::parts` is not read.
+  Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options,
+      std::optional<JobStart> start = {});
 
   /// Runs everything here: does about `work` microseconds' worth and tells what happened. A
   /// stage's own work (reading, an eigenvalue solve) is not sliced.
@@ -40,6 +44,7 @@ class Job {
   template <class Action>
   Events guarded(Action&& action);
   void do_own_step(Events& events);
+  void lay_out_in_a_hurry();
   void run_task(std::int64_t work, Events& events);
   void report_progress(Events& events);
 

@@ -16,13 +16,6 @@ std::vector<char> below(const RootedTree& tree, int cut_hinge) {
   return side;
 }
 
-/// Hinges of a graph by their first mesh edge, which names them in every graph.
-std::map<int, int> hinges_by_edge(const DualGraph& graph) {
-  std::map<int, int> hinges;
-  for (int h = 0; h < graph.hinge_count(); ++h) hinges[graph.hinges[h].edges[0]] = h;
-  return hinges;
-}
-
 }  // namespace
 
 std::array<FoundNet, 2> split_net(const Component& component, const FoundNet& net, int fold) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "mesh/input_error.h"
@@ -34,13 +35,37 @@ void check_size(const SizeOptions& size) {
 }
 
 void check_flaps(const FlapOptions& flaps) {
-  if (flaps.side == FlapSide::kNone) return;
+  if (flaps.side == FlapSide::kNone && flaps.choices.empty() && !flaps.borders) return;
   // Higher ones than 50 mm would hide whole faces.
   const double height = flaps.shape.height;
   check(std::isfinite(height) && height >= 1 && height <= 50, "flaps", "from 1 to 50 mm");
   // Steeper sides collide inside the model; flatter ones leave no flap on short edges.
   const double angle = flaps.shape.angle * 180 / std::numbers::pi;
   check(angle > 10 - 1e-9 && angle < 60 + 1e-9, "flap-angle", "from 10 to 60 degrees");
+}
+
+void check_names(std::span<const PartName> names) {
+  std::set<int> parts;
+  std::set<std::string> taken;
+  for (const auto& [part, name] : names) {
+    const std::string fault = fault_of_name(name);
+    if (!fault.empty()) throw InputError("bad-option", "the name of a part " + fault);
+    if (part < 0 || !parts.insert(part).second || !taken.insert(name).second) {
+      throw InputError("bad-option",
+                       "the names of parts must name each part once, by names that "
+                       "differ");
+    }
+  }
+}
+
+void check_pins(std::span<const PinnedPiece> pins) {
+  for (const auto& [part, face, pin] : pins) {
+    check(part >= 0 && face >= 0, "a pinned piece", "named by its part and a face of it");
+    check(pin.place.sheet >= 0 && pin.place.sheet < 1000, "the sheet of a pinned piece",
+          "one of the first 1000");
+    check(std::isfinite(pin.place.x) && std::isfinite(pin.place.y) && std::isfinite(pin.angle),
+          "the place of a pinned piece", "a finite number");
+  }
 }
 
 }  // namespace
@@ -55,6 +80,8 @@ void check_options(const JobOptions& options) {
   check(options.faces == 0 || options.faces >= 4, "faces", "at least 4");
   check_size(options.size);
   check_flaps(options.flaps);
+  check_names(options.names);
+  check_pins(options.pins);
   const SheetOptions& sheet = options.sheet;
   // Ten metres: wider than any roll, and far below what would lose precision.
   const auto is_length = [](double mm) { return std::isfinite(mm) && mm > 0 && mm <= 10000; };

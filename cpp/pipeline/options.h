@@ -5,6 +5,7 @@
 #include "fold/foldable.h"
 #include "paper/labels.h"
 #include "paper/sheets.h"
+#include "pipeline/piece_names.h"
 #include "segment/segment.h"
 #include "unfold/heuristics.h"
 
@@ -36,6 +37,19 @@ struct SizeOptions {
   Unit unit = Unit::kGuess;
 };
 
+/// Loose strips of paper for edges that get no flap.
+enum class GlueStrips {
+  kNone,
+  kFree,  ///< where the sheets have room beside the pieces
+  kAll    ///< on further sheets, too
+};
+
+/// A piece that stays where a person put it, named by its part and the lowest of its faces.
+struct PinnedPiece {
+  int part, face;
+  Pin pin;
+};
+
 /// What a job is asked for.
 struct JobOptions {
   int parts = 0;  ///< number of parts; 0 estimates it
@@ -55,6 +69,10 @@ struct JobOptions {
   SheetOptions sheet = {};
   FlapOptions flaps = {};
   IdPlace ids = IdPlace::kBoth;
+  GlueStrips strips = GlueStrips::kNone;
+  std::vector<PartName> names = {};
+  std::vector<PinnedPiece> pins = {};
+  bool compaction = true;  ///< make nets better to craft after they were found
 };
 
 /// \throw InputError that names the first option out of its range

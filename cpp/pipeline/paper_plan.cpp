@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <set>
 
 #include "mesh/input_error.h"
-#include "paper/gluing_order.h"
 #include "pipeline/flat_net.h"
 #include "pipeline/model_size.h"
-#include "pipeline/recut_nets.h"
 
 namespace foldwright {
 namespace {
@@ -16,139 +14,171 @@ namespace {
 // Halvings of the range of scales for a number of sheets: finer than a hundredth of the size.
 constexpr int kSheetTrials = 10;
 
-/// What keeps flaps on the sheet that the net fits: what is around the sheet when the net lies in
-/// its middle, in the turn that leaves most room.
-std::vector<std::vector<Vec2>> around_sheet(const Net& net, const Extent& room, double reach) {
-  const std::vector<Vec2> hull = convex_hull(footprint_of(net).points());
-  std::optional<Turn> best;
-  const auto spare = [&](const Turn& turn) {
-    return std::min(room.width - turn.box.width, room.height - turn.box.height);
-  };
-  for (const Turn& turn : upright_turns(hull)) {
-    if (!best || spare(turn) > spare(*best)) best = turn;
-  }
-  RigidMotion2 place = settle(hull, *best);
-  place.t += 0.5 * Vec2(room.width - best->box.width, room.height - best->box.height);
-  const RigidMotion2 back = place.inverse();
-  const auto box = [&](double x0, double y0, double x1, double y1) {
-    return std::vector<Vec2>{back({x0, y0}), back({x1, y0}), back({x1, y1}), back({x0, y1})};
-  };
-  const double width = room.width;
-  const double height = room.height;
-  return {box(-reach, -reach, 0, height + reach), box(width, -reach, width + reach, height + reach),
-          box(-reach, -reach, width + reach, 0),
-          box(-reach, height, width + reach, height + reach)};
-}
+// Halvings until a scale is found that goes on so many sheets. What does not go on at a
+// millionth of the size is held up by something else, and is told.
+constexpr int kMostHalvings = 20;
 
-/// Flaps for nets that fit the sheet, so that they fit it still.
-FlapPlan flaps_on_sheets(const JobState& state, std::span<const Net> nets) {
-  const FlapOptions& options = state.options.flaps;
-  const Mesh& mesh = state.surface->mesh;
-  const Extent room = printable(state.options.sheet);
-  FlapPlan plan = place_flaps(mesh, nets, options);
-  std::vector<std::vector<std::vector<Vec2>>> keep_off(nets.size());
-  // Flaps that one net must do without may go to another, which then is looked at as well.
-  for (bool fits_all = false; !fits_all;) {
-    fits_all = true;
-    for (std::size_t i = 0; i < nets.size(); ++i) {
-      if (!keep_off[i].empty()) continue;
-      if (fits_somehow(footprint_of(nets[i], plan.flaps[i]).points(), room)) continue;
-      keep_off[i] = around_sheet(nets[i], room, 2 * options.shape.height);
-      fits_all = false;
-    }
-    if (!fits_all) plan = place_flaps(mesh, nets, options, keep_off);
-  }
-  return plan;
-}
+// Packings that are tried at each scale on the way to a number of sheets.
+constexpr int kTrialEffort = 6;
 
-void sort_for_gluing(PaperPlan& plan) {
-  std::vector<FoundNet> nets;
-  std::vector<Net> flat;
-  for (const int i : gluing_order(plan.flat)) {
-    nets.push_back(std::move(plan.nets[i]));
-    flat.push_back(std::move(plan.flat[i]));
-  }
-  plan.nets = std::move(nets);
-  plan.flat = std::move(flat);
-}
-
-PaperPlan plan_at(const JobState& state, double scale) {
-  PaperPlan plan;
-  plan.nets = recut_nets(state, state.nets, scale);
-  for (const FoundNet& found : plan.nets) plan.flat.push_back(flatten(state, found, scale));
-  sort_for_gluing(plan);
-  plan.flaps = flaps_on_sheets(state, plan.flat);
-  std::vector<Footprint> prints;
-  for (std::size_t i = 0; i < plan.flat.size(); ++i) {
-    prints.push_back(footprint_of(plan.flat[i], plan.flaps.flaps[i]));
-  }
-  plan.sheets = lay_on_sheets(prints, state.options.sheet);
-  plan.sheets.scale = scale;
-  for (std::size_t i = 0; i < plan.flat.size(); ++i) {
-    for (Vec2& p : plan.flat[i].vertices) p = plan.sheets.turns[i](p);
-    for (Flap& flap : plan.flaps.flaps[i]) {
-      for (Vec2& p : flap.corners) p = plan.sheets.turns[i](p);
+/// Mesh edges that are to be joined by strips or tape, ascending: those that miss a flap, and all
+/// if strips are to do without any flaps.
+std::vector<int> bare_edges(const JobOptions& options, const FlapPlan& flaps,
+                            std::span<const Seam> seams) {
+  std::set<int> bare;
+  for (const MissedFlap& miss : flaps.missed) bare.insert(miss.mesh_edge);
+  if (options.flaps.side == FlapSide::kNone && options.strips != GlueStrips::kNone) {
+    for (const Seam& seam : seams) {
+      if (seam.sides[0].length() > kWantedLength) bare.insert(seam.mesh_edge);
     }
   }
-  return plan;
-}
-
-/// The plan at the largest scale that goes on so many sheets.
-PaperPlan plan_on_sheets(const JobState& state, int sheets) {
-  const Extent room = printable(state.options.sheet);
-  double area = 0;
-  for (const FoundNet& found : state.nets) area += footprint_of(flatten(state, found, 1)).face_area;
-  double high = std::sqrt(sheets * room.width * room.height / area);
-  std::optional<PaperPlan> best;
-  // A face that fits no sheet at the larger scale counts as too large as well.
-  const auto attempt = [&](double scale) {
-    try {
-      PaperPlan plan = plan_at(state, scale);
-      if (plan.sheets.sheet_count > sheets) return false;
-      best = std::move(plan);
-      return true;
-    } catch (const InputError&) {
-      return false;
-    }
-  };
-  double low = high / 2;
-  while (!attempt(low)) high = low, low /= 2;
-  for (int trial = 0; trial < kSheetTrials; ++trial) {
-    const double middle = 0.5 * (low + high);
-    (attempt(middle) ? low : high) = middle;
-  }
-  return std::move(*best);
-}
-
-PaperPlan plan_size(const JobState& state) {
-  const SizeOptions& size = state.options.size;
-  switch (size.by) {
-    case Sizing::kFit:
-      return plan_at(state, fitting_scale(state));
-    case Sizing::kSheets:
-      return plan_on_sheets(state, static_cast<int>(size.value));
-    default:
-      return plan_at(state, fixed_scale(state.surface->mesh, size));
-  }
+  return {bare.begin(), bare.end()};
 }
 
 }  // namespace
+
+PaperPlanner::PaperPlanner(const JobState& state, bool in_a_hurry)
+    : state_(state), in_a_hurry_(in_a_hurry) {
+  if (state.options.size.by == Sizing::kFit) scale_.emplace(state);
+}
+
+bool PaperPlanner::step() {
+  const int effort = in_a_hurry_ ? 1 : SheetTask::kFullEffort;
+  switch (phase_) {
+    case Phase::kScale:
+      if (state_.options.size.by == Sizing::kSheets) {
+        begin_search();
+      } else if (!scale_) {
+        draft_at(fixed_scale(state_.surface->mesh, state_.options.size), effort);
+      } else if (scale_->step()) {
+        draft_at(scale_->scale(), effort);
+      }
+      return false;
+    case Phase::kSearch:
+      search();
+      return false;
+    case Phase::kDraft:
+      if (!drafter_->step()) return false;
+      plan_.draft = drafter_->take();
+      phase_ = Phase::kStrips;
+      progress_ = 0.6;
+      return false;
+    case Phase::kStrips:
+      lay_strips();
+      begin_labels();
+      return false;
+    case Phase::kLabels:
+      if (!labels_->step()) return false;
+      plan_.labels = labels_->take();
+      progress_ = 1;
+      return true;
+  }
+  return true;
+}
+
+void PaperPlanner::begin_search() {
+  const Extent room = printable(state_.options.sheet);
+  double area = 0;
+  for (const FoundNet& found : state_.nets)
+    area += footprint_of(flatten(state_, found, 1)).face_area;
+  range_.high = std::sqrt(state_.options.size.value * room.width * room.height / area);
+  drafter_.emplace(state_, range_.high / 2, in_a_hurry_ ? 1 : kTrialEffort);
+  phase_ = Phase::kSearch;
+}
+
+/// One step of the search for the largest scale that goes on so many sheets.
+void PaperPlanner::search() {
+  const double tried = range_.low > 0 ? 0.5 * (range_.low + range_.high) : range_.high / 2;
+  bool fits = false;
+  try {
+    if (!drafter_->step()) return;
+    fits = drafter_->take().sheets.sheet_count <= static_cast<int>(state_.options.size.value);
+  } catch (const InputError&) {
+    // A face that fits no sheet at the larger scale counts as too large as well.
+    if (range_.low == 0 && range_.trials == kMostHalvings) throw;
+  }
+  if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {
+    throw InputError("too-few-sheets", "the pieces do not go on so few sheets at any size");
+  }
+  ++range_.trials;
+  if (range_.low > 0) progress_ = 0.5 * range_.trials / kSheetTrials;
+  if (range_.low == 0 && fits) range_.trials = 0;
+  (fits ? range_.low : range_.high) = tried;
+  const int effort = in_a_hurry_ ? 1 : kTrialEffort;
+  if (range_.low > 0 && range_.trials == kSheetTrials) {
+    // More packings include those that found this scale.
+    draft_at(range_.low, in_a_hurry_ ? 1 : SheetTask::kFullEffort);
+  } else {
+    const double next = range_.low > 0 ? 0.5 * (range_.low + range_.high) : range_.high / 2;
+    drafter_.emplace(state_, next, effort);
+  }
+}
+
+void PaperPlanner::draft_at(double scale, int effort) {
+  drafter_.emplace(state_, scale, effort);
+  phase_ = Phase::kDraft;
+  progress_ = std::max(progress_, 0.1);
+}
+
+void PaperPlanner::lay_strips() {
+  const PaperDraft& draft = plan_.draft;
+  const JobOptions& options = state_.options;
+  const std::vector<Seam> seams = find_seams(draft.flat);
+  const std::vector<int> bare = bare_edges(options, draft.flaps, seams);
+  std::set<int> open(bare.begin(), bare.end());
+  if (options.strips != GlueStrips::kNone) {
+    const std::vector<int> numbers = number_seams(draft.flat, seams);
+    std::vector<StripShape> shapes;
+    std::vector<Strip> strips;
+    for (std::size_t i = 0; i < seams.size(); ++i) {
+      if (!open.contains(seams[i].mesh_edge)) continue;
+      const auto shape = make_strip(seams[i], numbers[i], options.flaps.shape.angle);
+      if (!shape) continue;
+      shapes.push_back(*shape);
+      Strip& strip = strips.emplace_back();
+      strip.mesh_edge = seams[i].mesh_edge;
+      strip.number = numbers[i];
+      strip.angle = fold_angle(state_.surface->mesh, seams[i].mesh_edge);
+    }
+    plan_.strips = place_strips(
+        {draft.prints, &draft.sheets, options.sheet, options.strips == GlueStrips::kAll}, shapes,
+        std::move(strips));
+    int count = draft.sheets.sheet_count;
+    for (const Strip& strip : plan_.strips) {
+      open.erase(strip.mesh_edge);
+      count = std::max(count, strip.sheet + 1);
+    }
+    SheetLayout& layout = plan_.draft.sheets;
+    layout.efficiency *= static_cast<double>(layout.sheet_count) / count;
+    layout.sheet_count = count;
+  }
+  plan_.taped = static_cast<int>(open.size());
+  tape_.assign(open.begin(), open.end());
+}
+
+void PaperPlanner::begin_labels() {
+  const PaperDraft& draft = plan_.draft;
+  labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_});
+  phase_ = Phase::kLabels;
+  progress_ = 0.8;
+}
+
+PaperPlan plan_paper(const JobState& state, bool in_a_hurry) {
+  PaperPlanner planner(state, in_a_hurry);
+  while (!planner.step()) {
+  }
+  return planner.take();
+}
 
 double finished_scale(const JobState& state) {
   switch (state.options.size.by) {
     case Sizing::kFit:
       return fitting_scale(state);
     case Sizing::kSheets:
-      return plan_size(state).sheets.scale;
+      return plan_paper(state, true).draft.sheets.scale;
     default:
       return fixed_scale(state.surface->mesh, state.options.size);
   }
-}
-
-PaperPlan plan_paper(const JobState& state) {
-  PaperPlan plan = plan_size(state);
-  plan.labels = place_labels(plan.flat, plan.flaps.flaps, state.options.ids);
-  return plan;
 }
 
 }  // namespace foldwright

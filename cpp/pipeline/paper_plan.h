@@ -1,30 +1,72 @@
 #pragma once
 
-#include "pipeline/state.h"
+#include "paper/labels.h"
+#include "paper/strips.h"
+#include "pipeline/paper_draft.h"
+#include "pipeline/recut_nets.h"
 
 namespace foldwright {
 
-/// Nets of their finished size on sheets.
+/// Nets of their finished size on sheets, with all that is drawn on them.
 struct PaperPlan {
-  /// Those of the state in the order of gluing, some of them cut again.
-  std::vector<FoundNet> nets;
-  std::vector<Net> flat;  ///< per net: in millimetres, turned, its box from (0, 0)
-  FlapPlan flaps;         ///< where the nets lie
-  SheetLayout sheets;
+  PaperDraft draft;
+  std::vector<Strip> strips;  ///< by id
+  int taped = 0;              ///< edges that want a flap and have neither flap nor strip
   LabelPlan labels;
 };
 
 /// Scales the nets of a state as its options ask, cuts those again that are too large for the
-/// sheet, adds flaps, and lays them out.
+/// sheet, adds flaps, packs them, adds strips and labels; step by step.
 ///
 /// Without a wish for a size the largest net just fits with its flaps, and nothing is cut. With
 /// one, flaps stay within the sheet where a net fits it only without them. With a number of sheets
 /// the scale is found by bisection, the largest that was tried and fits.
-/// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
-PaperPlan plan_paper(const JobState& state);
+class PaperPlanner {
+ public:
+  /// `in_a_hurry`: take the first packing that comes up. The state must outlive this.
+  explicit PaperPlanner(const JobState& state, bool in_a_hurry = false);
 
-/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out.
-/// With a number of sheets as costly as the plan. Throws what it throws.
+  /// Does some milliseconds of work; true when the plan is done.
+  /// \throw InputError if margins leave nothing of the sheet, a single face does not fit it, a
+  /// pinned piece cannot stay, or an option names what the model does not have
+  bool step();
+
+  /// In [0, 1].
+  double progress() const { return progress_; }
+
+  /// \pre `step` returned true; leaves this empty
+  PaperPlan take() { return std::move(plan_); }
+
+ private:
+  enum class Phase { kScale, kSearch, kDraft, kStrips, kLabels };
+
+  void begin_search();
+  void search();
+  void draft_at(double scale, int effort);
+  void lay_strips();
+  void begin_labels();
+
+  const JobState& state_;
+  bool in_a_hurry_;
+  Phase phase_ = Phase::kScale;
+  double progress_ = 0;
+  std::optional<ScaleFinder> scale_;
+  /// Scales between which the search for a number of sheets goes on; `low` fits, if any.
+  struct {
+    double low = 0, high = 0;
+    int trials = 0;
+  } range_;
+  std::optional<PaperDrafter> drafter_;
+  std::optional<LabelPlacer> labels_;
+  std::vector<int> tape_;  ///< mesh edges to mark, ascending
+  PaperPlan plan_;
+};
+
+/// The plan, all at once.
+PaperPlan plan_paper(const JobState& state, bool in_a_hurry = false);
+
+/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out;
+/// with a number of sheets what a planner in a hurry comes to. Throws what it throws.
 double finished_scale(const JobState& state);
 
 }  // namespace foldwright

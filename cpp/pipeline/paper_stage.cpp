@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "paper/necks.h"
 #include "paper/outline.h"
 #include "pipeline/model_size.h"
 #include "pipeline/paper_plan.h"
+#include "pipeline/saved_net.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
@@ -52,14 +56,28 @@ Mesh scaled(Mesh mesh, double factor) {
   return mesh;
 }
 
-/// `mesh`: the model in millimetres.
-Piece make_piece(const JobState& state, const Mesh& mesh, const FoundNet& found, Net net) {
+/// Lengths in millimetres of the folds that are too short for what hangs at them.
+std::vector<double> neck_lengths(const DualGraph& graph, const FoldTree& folds, double scale) {
+  std::vector<char> is_fold(graph.hinge_count(), 0);
+  for (const int h : folds) is_fold[h] = 1;
+  std::vector<double> lengths;
+  for (const int h : find_necks(graph, is_fold, scale)) {
+    lengths.push_back(graph.hinges[h].length * scale);
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
+/// `mesh`: the model in millimetres, `scale` times the state's.
+Piece make_piece(const JobState& state, const Mesh& mesh, double scale, const FoundNet& found,
+                 Net net) {
   const DualGraph graph =
       restrict_to(state.components[found.region.component].graph, found.region.panels);
   Piece piece{.part = found.region.part, .cause = found.region.cause, .net = std::move(net)};
   piece.motion = make_motion(graph, found, piece.net);
   piece.check = check_net(mesh, piece.net);
   piece.outlines = boundary_walks(piece.net);
+  piece.necks = neck_lengths(graph, found.folds, scale);
   return piece;
 }
 
@@ -74,6 +92,20 @@ const char* unit_name(Unit unit) {
     default:
       return "millimetres";
   }
+}
+
+/// Where pieces hang together by little. Whoever knows may strengthen them with tape.
+void add_neck_notice(JobState& state) {
+  std::string names;
+  for (const Piece& piece : state.result.pieces) {
+    if (piece.necks.empty()) continue;
+    names += (names.empty() ? "" : ", ") + piece.name;
+  }
+  if (names.empty()) return;
+  state.notices.push_back({"weak-necks",
+                           "folds under 5 mm hold many faces on both sides and may tear: "
+                           "strengthen them with tape on the back; pieces " +
+                               names});
 }
 
 /// What a person should know about the size: a unit that was guessed, parts that were cut again.
@@ -95,27 +127,54 @@ void add_size_notices(JobState& state) {
   }
 }
 
+void add_pin_notice(JobState& state, int lost) {
+  if (lost == 0) return;
+  state.notices.push_back(
+      {"pin-lost", std::to_string(lost) + " pinned " + (lost == 1 ? "piece is" : "pieces are") +
+                       " no longer there as they were, and were laid out anew"});
+}
+
 /// Makes pieces of the nets, checks them by other means, and lays them on sheets.
 class PaperStage : public Stage {
  public:
   StageId id() const override { return StageId::kPaper; }
 
-  void begin(JobState& state, TaskQueue&, Events& events) override {
+  void begin(JobState& state, TaskQueue&, Events&) override {
+    planner_.emplace(state, state.in_a_hurry);
+  }
+
+  bool go_on(JobState& state, Events&) override {
+    if (!plan_) {
+      if (!planner_->step()) return false;
+      plan_ = planner_->take();
+      mesh_ = scaled(state.surface->mesh, plan_->draft.sheets.scale);
+      return false;
+    }
+    if (pieces_.size() < plan_->draft.nets.size()) {
+      add_piece(state);
+      return false;
+    }
+    return true;
+  }
+
+  void end(JobState& state, Events& events) override {
     JobResult& result = state.result;
     result.segmentation = source_segmentation(state);
-    PaperPlan plan = plan_paper(state);
-    result.sheets = std::move(plan.sheets);
-    result.flap_counts = plan.flaps.counts;
-    result.printed_ids = plan.labels.printed;
-    result.skipped_ids = std::move(plan.labels.skipped);
-    result.missed_flaps = std::move(plan.flaps.missed);
-    const Mesh mesh = scaled(state.surface->mesh, result.sheets.scale);
-    for (std::size_t i = 0; i < plan.nets.size(); ++i) {
-      result.pieces.push_back(make_piece(state, mesh, plan.nets[i], std::move(plan.flat[i])));
-      result.pieces.back().flaps = std::move(plan.flaps.flaps[i]);
-      result.pieces.back().labels = std::move(plan.labels.labels[i]);
+    result.pieces = std::move(pieces_);
+    PaperDraft& draft = plan_->draft;
+    result.sheets = std::move(draft.sheets);
+    result.flap_counts = draft.flaps.counts;
+    result.missed_flaps = std::move(draft.flaps.missed);
+    result.strips = std::move(plan_->strips);
+    result.taped = plan_->taped;
+    result.printed_ids = plan_->labels.printed;
+    result.skipped_ids = std::move(plan_->labels.skipped);
+    for (const FoundNet& net : state.nets) {
+      result.nets.push_back(save_net(state.components[net.region.component], net));
     }
     add_size_notices(state);
+    add_pin_notice(state, draft.lost_pins);
+    add_neck_notice(state);
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;
@@ -126,9 +185,29 @@ class PaperStage : public Stage {
     result.hash = hash_of(canonical_dump(result));
   }
 
-  double progress(const JobState& state, const Running&) const override {
-    return state.result.hash.empty() ? 0 : 1;
+  double progress(const JobState&, const Running&) const override {
+    if (!plan_) return planner_ ? 0.8 * planner_->progress() : 0;
+    const auto count = static_cast<double>(plan_->draft.nets.size());
+    return 0.8 + 0.2 * static_cast<double>(pieces_.size()) / count;
   }
+
+ private:
+  void add_piece(const JobState& state) {
+    const std::size_t i = pieces_.size();
+    PaperDraft& draft = plan_->draft;
+    Piece& piece = pieces_.emplace_back(
+        make_piece(state, mesh_, draft.sheets.scale, draft.nets[i], std::move(draft.flat[i])));
+    piece.name = std::move(draft.names[i]);
+    piece.angle = std::atan2(draft.sheets.turns[i].s, draft.sheets.turns[i].c);
+    piece.flaps = std::move(draft.flaps.flaps[i]);
+    piece.labels = std::move(plan_->labels.labels[i]);
+    piece.tape_marks = std::move(plan_->labels.tape_marks[i]);
+  }
+
+  std::optional<PaperPlanner> planner_;
+  std::optional<PaperPlan> plan_;
+  Mesh mesh_;  ///< the model in millimetres
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace

@@ -18,37 +18,24 @@ int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
 
 }  // namespace
 
-PartTrees::PartTrees(const JobState& state) : first_part_{0} {
-  for (const Component& component : state.components) {
-    first_part_.push_back(first_part_.back() + foldwright::part_count(component.labels));
+PartTrees::PartTrees(const JobState& state) {
+  std::map<int, Place> places;
+  for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
+    int label = 0;
+    for (const int part : state.components[c].part_numbers) places[part] = {c, label++};
   }
-}
-
-int PartTrees::component_of(int part) const {
-  const auto above = std::upper_bound(first_part_.begin(), first_part_.end(), part);
-  return static_cast<int>(above - first_part_.begin()) - 1;
+  for (const auto& [part, place] : places) parts_.push_back(place);
 }
 
 Region PartTrees::region(const JobState& state, int part) const {
   Region region;
-  region.component = component_of(part);
+  region.component = parts_[part].component;
   region.part = part;
   const Labels& labels = state.components[region.component].labels;
   for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
-    if (first_part_[region.component] + labels[panel] == part) region.panels.push_back(panel);
+    if (labels[panel] == parts_[part].label) region.panels.push_back(panel);
   }
   return region;
-}
-
-void PartTrees::label_faces(JobState& state) const {
-  for (std::size_t c = 0; c < state.components.size(); ++c) {
-    const Component& component = state.components[c];
-    for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
-      for (const int face : component.graph.panel_faces(panel)) {
-        state.result.labels[face] = first_part_[c] + component.labels[panel];
-      }
-    }
-  }
 }
 
 void PartTrees::settle(int part, FoundNet net) { trees_[part] = {std::move(net), 0, 0}; }
@@ -65,35 +52,37 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
   if (waiting_.empty()) return false;
   const int part = *waiting_.begin();
   waiting_.erase(waiting_.begin());
-  const int component = component_of(part);
+  const auto [component, label] = parts_[part];
   // A part without a net is given any: nearly all nets can be made to fold afterwards, and looking
   // at both in every step takes far longer.
   const bool for_motion = trees_.at(part).overlaps == 0;
   ExchangeTask task{parts_so_far(state, component, for_motion), {}};
-  task.options.part = part - first_part_[component];
+  task.options.part = label;
   task.options.clearance = for_motion ? state.options.clearance : 0;
   task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
                                 static_cast<std::uint64_t>(exchanges_[part]++));
   queue.add(state.surface, state.components[component].panels, std::move(task));
-  exchange_ = {component, part};
+  exchange_ = part;
   return true;
 }
 
 PartsSoFar PartTrees::parts_so_far(const JobState& state, int component, bool for_motion) const {
-  PartsSoFar parts{state.components[component].labels, {}, {}};
-  for (int part = first_part_[component]; part < first_part_[component + 1]; ++part) {
-    const Tree& tree = trees_.at(part);
-    const DualGraph graph = restrict_to(state.components[component].graph, tree.net.region.panels);
+  const Component& of = state.components[component];
+  PartsSoFar parts{of.labels, {}, {}};
+  for (std::size_t label = 0; label < of.part_numbers.size(); ++label) {
+    const Tree& tree = trees_.at(of.part_numbers[label]);
+    const DualGraph graph = restrict_to(of.graph, tree.net.region.panels);
     for (const int h : tree.net.folds) parts.fold_edges.push_back(graph.hinges[h].edges[0]);
     const int shortfall = for_motion ? tree.shortfall : tree.overlaps;
-    if (shortfall > 0) parts.shortfalls[part - first_part_[component]] = shortfall;
+    if (shortfall > 0) parts.shortfalls[static_cast<int>(label)] = shortfall;
   }
   return parts;
 }
 
 std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
                                                         const ExchangeResult& result) {
-  const auto [component, part] = *std::exchange(exchange_, std::nullopt);
+  const int part = *std::exchange(exchange_, std::nullopt);
+  const int component = parts_[part].component;
   std::vector<Changed> again;
   if (!result.found) {
     uncured_.insert(part);
@@ -101,7 +90,7 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
   }
   state.components[component].labels = result.labels;
   for (const auto& [label, folds] : result.changed) {
-    const int changed = first_part_[component] + label;
+    const int changed = state.components[component].part_numbers[label];
     const auto left = result.shortfalls.find(label);
     if (left != result.shortfalls.end()) {
       // It is no better off than before, and goes on waiting.

@@ -25,14 +25,12 @@ struct Candidate {
 /// without a motion a net that folds straight.
 class PartTrees {
  public:
-  /// Numbers the parts through all components. \pre the components have labels
+  /// \pre the components have labels, and their parts numbers
   explicit PartTrees(const JobState& state);
 
-  int part_count() const { return first_part_.back(); }
+  int part_count() const { return static_cast<int>(parts_.size()); }
   /// All panels of a part, as the labels are now.
   Region region(const JobState& state, int part) const;
-  /// Labels all faces of the model in `state.result`.
-  void label_faces(JobState& state) const;
 
   /// The part has what was asked, or gets no more.
   void settle(int part, FoundNet net);
@@ -41,7 +39,7 @@ class PartTrees {
 
   bool exchanging() const { return exchange_.has_value(); }
   /// Part whose exchange is under way. \pre `exchanging()`
-  int exchanging_part() const { return exchange_->part; }
+  int exchanging_part() const { return *exchange_; }
   /// Queues the next exchange; false when none waits.
   bool begin_exchange(const JobState& state, TaskQueue& queue);
 
@@ -66,19 +64,20 @@ class PartTrees {
     int overlaps = 0;
     int shortfall = 0;  ///< 0: settled
   };
-  struct Exchange {
-    int component, part;
+  /// Where a part is.
+  struct Place {
+    int component = 0;
+    int label = 0;
   };
 
-  int component_of(int part) const;
   PartsSoFar parts_so_far(const JobState& state, int component, bool for_motion) const;
 
-  std::vector<int> first_part_;  ///< number of the first part of each component, and of all parts
-  std::map<int, Tree> trees_;    ///< by part
-  std::set<int> waiting_;        ///< parts whose exchange is to come
+  std::vector<Place> parts_;   ///< by part
+  std::map<int, Tree> trees_;  ///< by part
+  std::set<int> waiting_;      ///< parts whose exchange is to come
   std::set<int> uncured_;
   std::map<int, int> exchanges_;  ///< by part: how many it had
-  std::optional<Exchange> exchange_;
+  std::optional<int> exchange_;   ///< part whose exchange is under way
 };
 
 }  // namespace foldwright

@@ -5,6 +5,7 @@
 #include "mesh/nearest_face.h"
 #include "mesh/read_model.h"
 #include "mesh/simplify.h"
+#include "pipeline/edits.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
@@ -33,15 +34,12 @@ Mesh simplified(JobState& state) {
 std::vector<Component> make_components(const DualGraph& graph) {
   const Labels one_part(graph.panel_count(), 0);
   const std::vector<int> component_of = part_pieces(graph, one_part);
-  std::vector<Component> components(part_count(component_of));
+  std::vector<std::vector<int>> panels(part_count(component_of));
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    components[component_of[panel]].panels.push_back(panel);
+    panels[component_of[panel]].push_back(panel);
   }
-  for (Component& component : components) {
-    component.graph = restrict_to(graph, component.panels);
-    component.convex = std::all_of(component.graph.hinges.begin(), component.graph.hinges.end(),
-                                   [](const Hinge& hinge) { return hinge.angle <= kPanelAngle; });
-  }
+  std::vector<Component> components;
+  for (std::vector<int>& of : panels) components.push_back(make_component(graph, std::move(of)));
   return components;
 }
 
@@ -97,8 +95,12 @@ class ReadStage : public Stage {
     state.model = repair(soup);
     state.surface = make_surface(kModelSurface, simplified(state));
     events.push_back(ModelEvent{state.surface});
-    state.components = make_components(state.surface->graph);
-    decide_parts(state);
+    if (state.start) {
+      start_from_earlier(state);
+    } else {
+      state.components = make_components(state.surface->graph);
+      decide_parts(state);
+    }
   }
 
   double progress(const JobState& state, const Running&) const override {

@@ -45,30 +45,6 @@ InputError too_large(const JobState& state, const Net& net) {
   return InputError("face-too-large", text);
 }
 
-/// The net, or what becomes of it when it is cut until every piece fits the sheet.
-std::vector<FoundNet> cut_to_fit(const JobState& state, FoundNet found, double scale) {
-  const Extent room = printable(state.options.sheet);
-  std::vector<FoundNet> open = {std::move(found)};
-  std::vector<FoundNet> done;
-  while (!open.empty()) {
-    FoundNet next = std::move(open.back());
-    open.pop_back();
-    const Net net = flatten(state, next, scale);
-    if (fits_somehow(footprint_of(net).points(), room)) {
-      done.push_back(std::move(next));
-      continue;
-    }
-    if (next.folds.empty()) throw too_large(state, net);
-    const Plates plates = plates_of(graph_of(state, next), next, net);
-    auto halves =
-        split_net(state.components[next.region.component], next, choose_cut(plates, room));
-    // The first half is looked at first, so that pieces come in order.
-    open.push_back(std::move(halves[1]));
-    open.push_back(std::move(halves[0]));
-  }
-  return done;
-}
-
 /// The nets' outlines and area in model units.
 std::vector<Footprint> bare_footprints(const JobState& state) {
   std::vector<Footprint> prints;
@@ -80,42 +56,75 @@ std::vector<Footprint> bare_footprints(const JobState& state) {
 
 }  // namespace
 
-double fitting_scale(const JobState& state) {
-  const std::vector<Footprint> prints = bare_footprints(state);
-  const SheetOptions& sheet = state.options.sheet;
-  double high = fitting_scale(prints, sheet);
-  const FlapOptions& flaps = state.options.flaps;
-  if (flaps.side == FlapSide::kNone) return high;
-  const Extent room = printable(sheet);
-  const auto fits_at = [&](double scale) {
-    std::vector<Net> nets;
-    for (const FoundNet& found : state.nets) nets.push_back(flatten(state, found, scale));
-    const FlapPlan plan = place_flaps(state.surface->mesh, nets, flaps);
-    for (std::size_t i = 0; i < nets.size(); ++i) {
-      if (!fits_somehow(footprint_of(nets[i], plan.flaps[i]).points(), room)) return false;
-    }
-    return true;
-  };
-  if (fits_at(high)) return high;
+ScaleFinder::ScaleFinder(const JobState& state)
+    : state_(state), high_(fitting_scale(bare_footprints(state), state.options.sheet)) {
+  const Extent room = printable(state.options.sheet);
   // A tiny sheet may hold no net with flaps on both sides; then they are kept off its edge.
-  const double spare = 1 - 2 * flaps.shape.height / std::min(room.width, room.height);
-  double low = high * std::max(spare, 0.5);
-  for (int trial = 0; trial < kFlapTrials; ++trial) {
-    const double middle = 0.5 * (low + high);
-    (fits_at(middle) ? low : high) = middle;
+  const double spare = 1 - 2 * state.options.flaps.shape.height / std::min(room.width, room.height);
+  low_ = high_ * std::max(spare, 0.5);
+}
+
+bool ScaleFinder::step() {
+  if (trials_ == 0 && fits_at(high_)) {
+    low_ = high_;
+    return true;
   }
-  return low;
+  const double middle = 0.5 * (low_ + high_);
+  (fits_at(middle) ? low_ : high_) = middle;
+  return ++trials_ == kFlapTrials;
+}
+
+bool ScaleFinder::fits_at(double scale) const {
+  std::vector<Net> nets;
+  for (const FoundNet& found : state_.nets) nets.push_back(flatten(state_, found, scale));
+  const FlapPlan plan = place_flaps(state_.surface->mesh, nets, state_.options.flaps);
+  const Extent room = printable(state_.options.sheet);
+  for (std::size_t i = 0; i < nets.size(); ++i) {
+    if (!fits_somehow(footprint_of(nets[i], plan.flaps[i]).points(), room)) return false;
+  }
+  return true;
+}
+
+double fitting_scale(const JobState& state) {
+  ScaleFinder finder(state);
+  while (!finder.step()) {
+  }
+  return finder.scale();
+}
+
+NetCutter::NetCutter(const JobState& state, std::vector<FoundNet> nets, double scale)
+    : state_(state), scale_(scale), open_(std::move(nets)) {
+  if (state.options.size.by == Sizing::kFit) {
+    fitting_ = std::move(open_);
+    open_.clear();
+  }
+  std::ranges::reverse(open_);
+}
+
+bool NetCutter::step() {
+  if (open_.empty()) return true;
+  FoundNet next = std::move(open_.back());
+  open_.pop_back();
+  const Extent room = printable(state_.options.sheet);
+  const Net net = flatten(state_, next, scale_);
+  if (fits_somehow(footprint_of(net).points(), room)) {
+    fitting_.push_back(std::move(next));
+    return open_.empty();
+  }
+  if (next.folds.empty()) throw too_large(state_, net);
+  const Plates plates = plates_of(graph_of(state_, next), next, net);
+  auto halves = split_net(state_.components[next.region.component], next, choose_cut(plates, room));
+  // The first half is looked at first, so that pieces come in order.
+  open_.push_back(std::move(halves[1]));
+  open_.push_back(std::move(halves[0]));
+  return false;
 }
 
 std::vector<FoundNet> recut_nets(const JobState& state, std::vector<FoundNet> nets, double scale) {
-  if (state.options.size.by == Sizing::kFit) return nets;
-  std::vector<FoundNet> fitting;
-  for (FoundNet& net : nets) {
-    for (FoundNet& piece : cut_to_fit(state, std::move(net), scale)) {
-      fitting.push_back(std::move(piece));
-    }
+  NetCutter cutter(state, std::move(nets), scale);
+  while (!cutter.step()) {
   }
-  return fitting;
+  return cutter.take();
 }
 
 }  // namespace foldwright

@@ -4,16 +4,52 @@
 
 namespace foldwright {
 
-/// The largest scale in millimetres per model unit at which every net of a state fits a sheet, with
-/// all the flaps that it would have if sheets had no end.
-/// \throw InputError if margins leave nothing of the sheet
+/// Finds the largest scale in millimetres per model unit at which every net of a state fits a
+/// sheet, with all the flaps that it would have if sheets had no end.
+class ScaleFinder {
+ public:
+  /// The state must outlive this.
+  /// \throw InputError if margins leave nothing of the sheet
+  explicit ScaleFinder(const JobState& state);
+
+  /// Tries one scale; true when it is found.
+  bool step();
+
+  double scale() const { return low_; }
+
+ private:
+  bool fits_at(double scale) const;
+
+  const JobState& state_;
+  double low_, high_;
+  int trials_ = 0;
+};
+
+/// The scale that it finds.
 double fitting_scale(const JobState& state);
 
 /// Cuts nets again until every piece fits the sheet; nets that fit stay as they are, and so do all
-/// where the size asked for is the one that fits. In the order of the nets.
-///
-/// `scale`: millimetres per model unit.
-/// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
+/// where the size asked for is the one that fits.
+class NetCutter {
+ public:
+  /// `scale`: millimetres per model unit. The state must outlive this.
+  NetCutter(const JobState& state, std::vector<FoundNet> nets, double scale);
+
+  /// Looks at one net and cuts it once if it must; true when all fit.
+  /// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
+  bool step();
+
+  /// The pieces in the order of the nets. \pre `step` returned true; leaves this empty
+  std::vector<FoundNet> take() { return std::move(fitting_); }
+
+ private:
+  const JobState& state_;
+  double scale_;
+  std::vector<FoundNet> open_;  ///< the next one last
+  std::vector<FoundNet> fitting_;
+};
+
+/// All of it at once.
 std::vector<FoundNet> recut_nets(const JobState& state, std::vector<FoundNet> nets, double scale);
 
 }  // namespace foldwright

@@ -28,6 +28,14 @@ class Dump {
   std::string bytes_;
 };
 
+void add_label(Dump& dump, const Label& label) {
+  for (const char letter : label.text) dump.add(letter);
+  dump.add(label.centre);
+  dump.add(label.angle);
+  dump.add(label.size);
+  if (label.leader) dump.add(label.leader->from), dump.add(label.leader->to);
+}
+
 void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
   dump.add(piece.part);
   dump.add(static_cast<int>(piece.cause));
@@ -42,12 +50,8 @@ void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
     dump.add(flap.edge);
     for (const Vec2& p : flap.corners) dump.add(p);
   }
-  for (const Label& label : piece.labels) {
-    for (const char letter : label.text) dump.add(letter);
-    dump.add(label.centre);
-    dump.add(label.angle);
-    dump.add(label.size);
-  }
+  for (const Label& label : piece.labels) add_label(dump, label);
+  for (const Stroke& mark : piece.tape_marks) dump.add(mark.from), dump.add(mark.to);
   dump.add(static_cast<int>(piece.motion.kind));
   dump.add(piece.motion.root);
   dump.add(piece.motion.times);
@@ -67,6 +71,12 @@ std::string canonical_dump(const JobResult& result) {
   dump.add(result.sheets.scale);
   for (std::size_t i = 0; i < result.pieces.size(); ++i) {
     add_piece(dump, result.pieces[i], result.sheets.placements[i]);
+  }
+  for (const Strip& strip : result.strips) {
+    dump.add(strip.number);
+    dump.add(strip.sheet);
+    for (const Vec2& p : strip.outline) dump.add(p);
+    add_label(dump, strip.label);
   }
   return dump.take();
 }

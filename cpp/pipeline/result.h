@@ -8,6 +8,7 @@
 #include "mesh/repair.h"
 #include "paper/labels.h"
 #include "paper/sheets.h"
+#include "paper/strips.h"
 #include "unfold/net.h"
 
 namespace foldwright {
@@ -34,12 +35,26 @@ struct PieceMotion {
 struct Piece {
   int part = 0;
   Cause cause = Cause::kPart;
-  Net net;  ///< millimetres; with the flaps its box starts at (0, 0)
+  std::string name = {};  ///< on paper; all pieces differ
+  double angle = 0;       ///< in radians, by which it was turned to lie on its sheet; see `Pin`
+  Net net;                ///< millimetres; with the flaps its box starts at (0, 0)
   std::vector<Flap> flaps = {};
   std::vector<Label> labels = {};
+  std::vector<Stroke> tape_marks = {};
   NetCheck check = {};
   PieceMotion motion = {};
   std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`
+  std::vector<double> necks = {};  ///< lengths of its necks in mm, ascending; see `find_necks`
+};
+
+/// A net as plain values that outlive its job, for another job to start from. Faces and edges are
+/// those of the result's mesh.
+struct SavedNet {
+  int part = 0;
+  Cause cause = Cause::kPart;
+  std::vector<int> faces;  ///< ascending
+  std::vector<int> folds;  ///< the first mesh edge of every hinge that folds
+  FoldMotion motion;       ///< its shares are in the order of `folds`
 };
 
 struct JobResult {
@@ -49,9 +64,12 @@ struct JobResult {
   std::vector<int> labels;        ///< per face of the mesh: its part
   int parts = 0;
   std::vector<Piece> pieces;  ///< in the order of gluing
+  std::vector<SavedNet> nets;
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;
+  std::vector<Strip> strips;     ///< loose ones, for edges without a flap; by id
+  int taped = 0;                 ///< edges left for tape
   int printed_ids = 0;           ///< see `LabelPlan`
   std::vector<int> skipped_ids;  ///< see `LabelPlan`
   std::int64_t moves = 0;        ///< of the tree searches

@@ -21,11 +21,12 @@ void add_search_notices(JobState& state) {
   std::map<int, Outcome> outcomes;
   for (const FoundNet& net : state.nets) {
     Outcome& outcome = outcomes[net.region.part];
-    ++outcome.pieces;
+    // Those of an earlier result may have been cut for the sheet, which is told elsewhere.
+    outcome.pieces += net.region.cause != Cause::kSheet;
     outcome.without_motion += net.motion.kind == Folding::kNone;
     outcome.meets_itself |= net.region.meets_itself;
     outcome.too_large |= net.region.too_large;
-    outcome.cause = net.region.cause;
+    if (net.region.cause != Cause::kSheet) outcome.cause = net.region.cause;
   }
   for (const auto& [part, outcome] : outcomes) {
     const std::string name = "part " + std::to_string(part + 1);

@@ -59,11 +59,23 @@ class SearchStage : public Stage {
  public:
   StageId id() const override { return StageId::kSearch; }
 
-  void begin(JobState& state, TaskQueue& queue, Events&) override {
+  void begin(JobState& state, TaskQueue& queue, Events& events) override {
     trees_.emplace(state);
+    std::vector<Region> regions;
     for (int part = 0; part < trees_->part_count(); ++part) {
-      start(state, queue, trees_->region(state, part));
+      Region region = trees_->region(state, part);
+      Component& component = state.components[region.component];
+      if (component.kept.empty()) {
+        regions.push_back(std::move(region));
+      } else {
+        keep(state, component, events);
+      }
     }
+    // The largest first: one that came last would keep a single worker busy.
+    std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
+      return a.panels.size() > b.panels.size();
+    });
+    for (Region& region : regions) start(state, queue, std::move(region));
   }
 
   void complete(JobState& state, TaskQueue& queue, int task, TaskResult result,
@@ -88,7 +100,7 @@ class SearchStage : public Stage {
   }
 
   void salvage(JobState& state) override {
-    trees_->label_faces(state);
+    label_faces(state);
     trees_->collect(state);
     // In the order of parts, and within a part by lowest panel, however the searches ended.
     std::sort(state.nets.begin(), state.nets.end(), [](const FoundNet& a, const FoundNet& b) {
@@ -133,13 +145,27 @@ class SearchStage : public Stage {
     return region.panels.size() == state.components[region.component].panels.size();
   }
 
-  void start(const JobState& state, TaskQueue& queue, Region region, FoldTree initial = {}) {
-    if (state.options.folding != FoldingMode::kOff) {
-      const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
-      region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
-      region.too_large = state.options.folding == FoldingMode::kPrefer &&
-                         static_cast<int>(region.panels.size()) > kMostToFold;
+  /// Notes what stands in the way of a motion.
+  static void examine(const JobState& state, Region& region) {
+    if (state.options.folding == FoldingMode::kOff) return;
+    const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
+    region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
+    region.too_large = state.options.folding == FoldingMode::kPrefer &&
+                       static_cast<int>(region.panels.size()) > kMostToFold;
+  }
+
+  /// Takes the nets of a part that an edit leaves as it is.
+  void keep(JobState& state, Component& component, Events& events) {
+    for (FoundNet& net : std::exchange(component.kept, {})) {
+      // It is told again why it does not fold.
+      if (net.motion.kind == Folding::kNone) examine(state, net.region);
+      Candidate candidate{std::move(net.folds), 0, 0, std::move(net.motion)};
+      settle(state, {std::move(net.region), 0, 0, std::move(candidate), {}}, events);
     }
+  }
+
+  void start(const JobState& state, TaskQueue& queue, Region region, FoldTree initial = {}) {
+    examine(state, region);
     const std::uint64_t key = key_of(region);
     queue_attempt(state, queue, {std::move(region), key, 0, {}, std::move(initial)});
   }

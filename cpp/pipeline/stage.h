@@ -26,7 +26,8 @@ using Running = std::map<int, TaskStatus>;
 /// One named step of a job: some work of its own, and parallel work cut into tasks.
 ///
 /// `begin` runs once and may queue tasks; `complete` takes their results, in whatever order they
-/// come, and may queue more; when no task is left, `end` runs once. What comes out must not depend
+/// come, and may queue more; when no task is left, `go_on` runs until it is done, and then `end`
+/// once. What comes out must not depend
 /// on the order of the results.
 class Stage {
  public:
@@ -34,6 +35,8 @@ class Stage {
   virtual StageId id() const = 0;
   virtual void begin(JobState& state, TaskQueue& queue, Events& events) = 0;
   virtual void complete(JobState&, TaskQueue&, int /*task*/, TaskResult, Events&) {}
+  /// Does some milliseconds of work that cannot be split into tasks; true when none is left.
+  virtual bool go_on(JobState&, Events&) { return true; }
   virtual void end(JobState&, Events&) {}
   /// Moves the nets that are finished to the state, when the job is cancelled in this stage.
   virtual void salvage(JobState&) {}
@@ -47,6 +50,7 @@ std::unique_ptr<Stage> make_read_stage();
 std::unique_ptr<Stage> make_learn_stage();
 std::unique_ptr<Stage> make_cluster_stage();
 std::unique_ptr<Stage> make_search_stage();
+std::unique_ptr<Stage> make_compact_stage();
 std::unique_ptr<Stage> make_paper_stage();
 
 }  // namespace foldwright

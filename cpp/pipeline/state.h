@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/events.h"
+#include "pipeline/job_start.h"
 #include "pipeline/options.h"
 #include "pipeline/task.h"
 
@@ -23,16 +24,6 @@ struct Learned {
   std::vector<int> rows;  ///< per panel of the component: the row that stands for it
 };
 
-/// An edge-connected component of the model.
-struct Component {
-  std::vector<int> panels;  ///< of the model's graph, ascending
-  DualGraph graph;          ///< of those panels
-  bool convex = false;      ///< no hinge is a valley
-  int parts = 0;            ///< asked of it; 0 estimates
-  std::optional<Learned> learned;
-  Labels labels;  ///< per panel of `graph`: its part within the component
-};
-
 /// A part, or a share of one, on its way to a net.
 struct Region {
   int component = 0;
@@ -43,6 +34,8 @@ struct Region {
   bool meets_itself = false;
   /// It has more panels than a motion is looked for of.
   bool too_large = false;
+  /// It comes from an earlier result: whatever is done to nets leaves this one as it is.
+  bool kept = false;
 };
 
 /// A region and the fold tree that makes it a net.
@@ -52,11 +45,29 @@ struct FoundNet {
   FoldMotion motion;
 };
 
+/// An edge-connected set of panels that is made into parts by itself: a body of the model, or what
+/// an edit of an earlier result leaves or makes.
+struct Component {
+  std::vector<int> panels;  ///< of the model's graph, ascending
+  DualGraph graph;          ///< of those panels
+  bool convex = false;      ///< no hinge is a valley
+  int parts = 0;            ///< asked of it; 0 estimates
+  std::optional<Learned> learned;
+  Labels labels;  ///< per panel of `graph`: its part within the component
+  /// Numbers of its parts among all of the model, ascending; empty until they are known.
+  std::vector<int> part_numbers;
+  std::vector<FoundNet> kept;  ///< nets of an earlier result, of all its panels, or none
+};
+
+/// A component of some panels of the model, ascending. \pre they are connected
+Component make_component(const DualGraph& model, std::vector<int> panels);
+
 /// What the stages of a job hand on to each other.
 struct JobState {
   std::vector<std::byte> file;
   std::string file_name;
   JobOptions options;
+  std::optional<JobStart> start;
 
   RepairedModel model;  ///< the mesh moves on into `surface`
   std::shared_ptr<const Surface> surface;
@@ -67,10 +78,14 @@ struct JobState {
   std::vector<Component> components;
   int parts = 0;
   std::vector<FoundNet> nets;
+  bool in_a_hurry = false;  ///< the job was cancelled, and what there is has to be shown soon
   std::int64_t moves = 0;
   int generations = 0;
   std::vector<Notice> notices;
   JobResult result;
 };
+
+/// Labels all faces in `state.result` by the parts of their panels. \pre parts have numbers
+void label_faces(JobState& state);
 
 }  // namespace foldwright

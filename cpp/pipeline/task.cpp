@@ -62,6 +62,11 @@ TaskRunner::TaskRunner(Task task)
                    foldable_ = make_foldable(graph_, plan.clearance);
                    run_.emplace<MotionPlanner>(*foldable_, plan.folds, plan.seed);
                  },
+                 [&](const CompactTask& compact) {
+                   run_.emplace<NetAnnealing>(
+                       graph_, compact.folds,
+                       std::make_unique<CraftCost>(mesh, graph_, compact.craft), compact.annealing);
+                 },
              },
              task_.work);
 }
@@ -107,6 +112,7 @@ void TaskRunner::note_generation() {
                  [](std::monostate) {},
                  [](const FoldabilityLearner&) {},
                  [](const MotionPlanner&) {},
+                 [](const NetAnnealing&) {},
                  [&](const GeneticSearch& search) {
                    note(search.generation(), {search.best_value(), search.best_fitness().overlaps,
                                               search.best_fitness().hyperbolic});
@@ -146,6 +152,8 @@ TaskStatus TaskRunner::status(bool with_net) {
     status.progress = exchange->progress();
   } else if (const auto* planner = std::get_if<MotionPlanner>(&run_)) {
     status.progress = planner->progress();
+  } else if (const auto* annealing = std::get_if<NetAnnealing>(&run_)) {
+    status.progress = annealing->progress();
   }
   const FoldTree* tree = with_net ? best_tree() : nullptr;
   const bool spans = tree != nullptr && static_cast<int>(tree->size()) + 1 == graph_.panel_count();
@@ -166,6 +174,11 @@ TaskResult TaskRunner::result() const {
     return SearchResult{genetic->best(), overlaps, overlaps, false, 0, genetic->generation()};
   }
   if (const auto* planner = std::get_if<MotionPlanner>(&run_)) return PlanResult{planner->motion()};
+  if (const auto* annealing = std::get_if<NetAnnealing>(&run_)) {
+    CraftCost cost(task_.surface->mesh, graph_, std::get<CompactTask>(task_.work).craft);
+    cost.lay(annealing->best(), lay_out(graph_, hang_tree(graph_, annealing->best())));
+    return CompactResult{annealing->best(), cost.border_rooms(), annealing->moves()};
+  }
   const auto& exchange = std::get<BorderExchange>(run_);
   return ExchangeResult{exchange.shortfall() == 0, exchange.labels(), exchange.trees(),
                         exchange.shortfalls(), exchange.moves()};

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "fold/planner.h"
+#include "paper/craft_cost.h"
 #include "search/border_exchange.h"
 #include "search/genetic_search.h"
+#include "search/net_annealing.h"
 #include "search/tree_search.h"
 #include "segment/foldability.h"
 
@@ -50,7 +52,14 @@ struct PlanTask {
   std::uint64_t seed;
 };
 
-using Work = std::variant<LearnTask, SearchTask, GeneticTask, ExchangeTask, PlanTask>;
+/// Making a net better to craft.
+struct CompactTask {
+  FoldTree folds;
+  CraftOptions craft;
+  AnnealingOptions annealing;
+};
+
+using Work = std::variant<LearnTask, SearchTask, GeneticTask, ExchangeTask, PlanTask, CompactTask>;
 
 /// A unit of parallel work as a plain value: any instance of the engine that has the surface can
 /// run it and gets the same result.
@@ -79,7 +88,13 @@ struct ExchangeResult {
 struct PlanResult {
   FoldMotion motion;
 };
-using TaskResult = std::variant<FoldabilityCounts, SearchResult, ExchangeResult, PlanResult>;
+struct CompactResult {
+  FoldTree folds;
+  std::vector<BorderRoom> borders;  ///< room that the net has at its border
+  std::int64_t moves;
+};
+using TaskResult =
+    std::variant<FoldabilityCounts, SearchResult, ExchangeResult, PlanResult, CompactResult>;
 
 /// Where a net search stands after a generation, or a batch of moves.
 struct SearchStatus {
@@ -127,7 +142,7 @@ class TaskRunner {
   std::optional<Foldable> foldable_;  ///< for planning
   /// Made once `graph_`, which they refer to, stands.
   std::variant<std::monostate, FoldabilityLearner, TreeSearch, GeneticSearch, BorderExchange,
-               MotionPlanner>
+               MotionPlanner, NetAnnealing>
       run_;
   std::vector<SearchStatus> generations_;
   int last_generation_ = 0;

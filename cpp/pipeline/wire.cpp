@@ -45,6 +45,11 @@ class Reader {
 template <class T, class... Kinds>
 constexpr bool is_any_of = (std::is_same_v<std::remove_cvref_t<T>, Kinds> || ...);
 
+/// Whether a value's bytes are all there is to it.
+template <class T>
+constexpr bool is_plain =
+    std::is_arithmetic_v<T> || std::is_enum_v<T> || is_any_of<T, std::array<int, 3>>;
+
 // One list of fields per structure serves both directions: `value` is const when writing.
 template <class T, class F>
 void each_field(T& value, F& f) {
@@ -77,6 +82,22 @@ void each_field(T& value, F& f) {
     f(value.moves), f(value.generations);
   } else if constexpr (is_any_of<T, PlanTask>) {
     f(value.folds), f(value.clearance), f(value.seed);
+  } else if constexpr (is_any_of<T, CompactTask>) {
+    f(value.folds), f(value.craft), f(value.annealing);
+  } else if constexpr (is_any_of<T, CraftOptions>) {
+    f(value.scale), f(value.shape), f(value.weights), f(value.room), f(value.borders);
+  } else if constexpr (is_any_of<T, FlapShape>) {
+    f(value.height), f(value.least), f(value.angle);
+  } else if constexpr (is_any_of<T, CraftWeights>) {
+    f(value.flaps), f(value.hull), f(value.necks), f(value.excess);
+  } else if constexpr (is_any_of<T, Extent>) {
+    f(value.width), f(value.height);
+  } else if constexpr (is_any_of<T, BorderRoom>) {
+    f(value.mesh_edge), f(value.height);
+  } else if constexpr (is_any_of<T, AnnealingOptions>) {
+    f(value.work), f(value.hot), f(value.cold), f(value.clearance), f(value.seed);
+  } else if constexpr (is_any_of<T, CompactResult>) {
+    f(value.folds), f(value.borders), f(value.moves);
   } else if constexpr (is_any_of<T, FoldMotion>) {
     f(value.kind), f(value.times), f(value.shares);
   } else if constexpr (is_any_of<T, PlanResult>) {
@@ -99,14 +120,22 @@ void read(Reader& reader, Vec3& value) { reader.raw(value.data(), sizeof(double)
 template <class T>
 void write(Writer& writer, const std::vector<T>& values) {
   writer(values.size());
-  for (const T& value : values) writer(value);
+  if constexpr (is_plain<T>) {
+    writer.raw(values.data(), values.size() * sizeof(T));
+  } else {
+    for (const T& value : values) writer(value);
+  }
 }
 template <class T>
 void read(Reader& reader, std::vector<T>& values) {
   std::size_t size = 0;
   reader(size);
   values.resize(size);
-  for (T& value : values) reader(value);
+  if constexpr (is_plain<T>) {
+    reader.raw(values.data(), values.size() * sizeof(T));
+  } else {
+    for (T& value : values) reader(value);
+  }
 }
 
 template <class T>
@@ -148,10 +177,6 @@ void read(Reader& reader, std::variant<Ts...>& value) {
   std::size_t i = 0;
   ((i++ == index ? reader(value.template emplace<Ts>()) : void()), ...);
 }
-
-template <class T>
-constexpr bool is_plain =
-    std::is_arithmetic_v<T> || std::is_enum_v<T> || is_any_of<T, std::array<int, 3>>;
 
 template <class T>
 void Writer::operator()(const T& value) {

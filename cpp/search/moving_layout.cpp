@@ -1,11 +1,14 @@
 #include "search/moving_layout.h"
 
+#include <utility>
+
 namespace foldwright {
 
 MovingLayout::MovingLayout(const DualGraph& graph, std::span<const int> folds)
     : graph_(&graph), tree_(graph, folds), flat_(graph, {&graph}, hang_tree(graph, folds)) {}
 
 void MovingLayout::add_layer(const Foldable& foldable, double share) {
+  order_.push_back(layer_count());
   folded_.emplace_back(*graph_, FoldedSpace(foldable, share), hang_tree(*graph_, folds()));
 }
 
@@ -53,11 +56,21 @@ int MovingLayout::crossing_conflicts() const {
 }
 
 int MovingLayout::try_join(int join, double limit) {
+  const int overlaps = try_flat(join, limit);
+  return overlaps > limit ? overlaps : overlaps + try_layers(limit - overlaps);
+}
+
+int MovingLayout::try_flat(int join, double limit) {
   tried_ = join;
-  int count = flat_.try_join(tree_, join, limit);
-  for (auto& layer : folded_) {
-    if (count > limit) break;
-    count += layer.try_join(tree_, join, limit - count);
+  return flat_.try_join(tree_, join, limit);
+}
+
+int MovingLayout::try_layers(double limit) {
+  int count = 0;
+  for (std::size_t i = 0; i < order_.size() && count <= limit; ++i) {
+    count += folded_[order_[i]].try_join(tree_, tried_, limit - count);
+    // What refuses a swap comes sooner the next time; the verdict does not depend on the order.
+    if (count > limit && i > 0) std::swap(order_[i - 1], order_[i]);
   }
   return count;
 }

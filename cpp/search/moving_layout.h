@@ -46,6 +46,10 @@ class MovingLayout {
   /// Conflicts between the sides if the selected one were hung at `join`; stops counting above
   /// `limit` and then returns more than it.
   int try_join(int join, double limit);
+  /// Its two halves, for those who look at other things in between: overlaps in the plane, and then
+  /// collisions in the layers.
+  int try_flat(int join, double limit);
+  int try_layers(double limit);
   /// Makes the swap that was tried last. \pre its count was completed
   void accept();
 
@@ -57,6 +61,7 @@ class MovingLayout {
   MovingTree tree_;
   MovingPlaces<FlatSpace> flat_;
   std::vector<MovingPlaces<FoldedSpace>> folded_;
+  std::vector<int> order_;  ///< of `folded_`: roughly, those that refuse most swaps first
   int tried_ = -1;
 };
 

@@ -73,6 +73,10 @@ class MovingPlaces {
 
   const Space& space() const { return space_; }
   int collision_count() const { return collision_count_; }
+  /// Where each panel lies.
+  const std::vector<typename Space::Motion>& places() const { return places_; }
+  /// How the selected side moved in the last trial.
+  const typename Space::Motion& trial_motion() const { return trial_.motion; }
   /// Panels that collide with some other, in no particular (but reproducible) order.
   std::span<const int> conflicted() const { return conflicted_; }
   std::span<const int> partners(int panel) const { return partners_[panel]; }

@@ -2,15 +2,24 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace foldwright {
 
 MovingTree::MovingTree(const DualGraph& graph, std::span<const int> folds)
     : graph_(&graph),
+      size_(graph.panel_count(), 1),
       is_fold_(graph.hinge_count(), 0),
       side_stamp_(graph.panel_count(), 0),
       mark_(graph.panel_count(), 0) {
+  links_.reserve(graph.incident.size());
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    for (const int h : graph.hinges_of(panel)) links_.push_back({h, graph.hinges[h].other(panel)});
+  }
   RootedTree tree = hang_tree(graph, folds);
+  for (std::size_t i = tree.order.size(); i-- > 1;) {
+    size_[tree.parent[tree.order[i]]] += size_[tree.order[i]];
+  }
   parent_ = std::move(tree.parent);
   parent_fold_ = std::move(tree.hinge);
   for (const int h : folds) is_fold_[h] = 1;
@@ -37,39 +46,33 @@ void MovingTree::path(int a, int b, std::vector<int>& folds) {
   std::rotate(folds.begin(), folds.begin() + from_b, folds.end());
 }
 
+int MovingTree::lower_end(int fold) const {
+  const auto& [a, b] = graph_->hinges[fold].panels;
+  return parent_fold_[a] == fold ? a : b;
+}
+
 void MovingTree::select_side(int cut) {
   assert(is_fold_[cut]);
   cut_ = cut;
-  // Two breadth-first searches in turn; the one that runs dry first has found the smaller side.
-  // Each search has a new stamp, so nothing needs clearing.
-  const std::uint32_t stamps[2] = {next_side_ + 1, next_side_ + 2};
-  next_side_ += 2;
-  std::vector<int>* sides[2] = {&selected_, &other_side_};
-  std::size_t heads[2] = {0, 0};
-  for (int s = 0; s < 2; ++s) {
-    const int start = graph_->hinges[cut].panels[s];
-    sides[s]->assign(1, start);
-    side_stamp_[start] = stamps[s];
-  }
-  int smaller = -1;
-  for (int s = 0; smaller == -1; s = 1 - s) {
-    const int panel = (*sides[s])[heads[s]++];
-    for (const int h : graph_->hinges_of(panel)) {
-      if (!is_fold_[h] || h == cut) continue;
-      const int next = graph_->hinges[h].other(panel);
-      if (side_stamp_[next] == stamps[s]) continue;
-      side_stamp_[next] = stamps[s];
-      sides[s]->push_back(next);
+  const int below = lower_end(cut);
+  const bool is_below = 2 * size_[below] <= graph_->panel_count();
+  const int start = is_below ? below : parent_[below];
+  ++side_;  // a new stamp, so that nothing needs clearing
+  selected_.assign(1, start);
+  side_stamp_[start] = side_;
+  for (std::size_t head = 0; head < selected_.size(); ++head) {
+    for (const Link& link : links_of(selected_[head])) {
+      if (!is_fold_[link.hinge] || link.hinge == cut || moves(link.panel)) continue;
+      side_stamp_[link.panel] = side_;
+      selected_.push_back(link.panel);
     }
-    if (heads[s] == sides[s]->size()) smaller = s;
   }
-  if (smaller == 1) std::swap(selected_, other_side_);
-  side_ = stamps[smaller];
-
   joins_.clear();
   for (const int panel : selected_) {
-    for (const int h : graph_->hinges_of(panel)) {
-      if (h != cut && !is_fold_[h] && !moves(graph_->hinges[h].other(panel))) joins_.push_back(h);
+    for (const Link& link : links_of(panel)) {
+      if (link.hinge != cut && !is_fold_[link.hinge] && !moves(link.panel)) {
+        joins_.push_back(link.hinge);
+      }
     }
   }
 }
@@ -81,24 +84,33 @@ MovingTree::Ends MovingTree::ends(int join) const {
 }
 
 void MovingTree::accept(int join) {
-  const Hinge& cut = graph_->hinges[cut_];
-  const int below = parent_fold_[cut.panels[0]] == cut_ ? cut.panels[0] : cut.panels[1];
+  const int below = lower_end(cut_);
   // Parents hang below the cut; where that is not the moved side, the join is seen from there.
   const Hinge& hinge = graph_->hinges[join];
   const int hung = moves(hinge.panels[0]) == moves(below) ? hinge.panels[0] : hinge.panels[1];
   is_fold_[cut_] = 0;
   is_fold_[join] = 1;
-  reverse_parents(hung, hinge.other(hung), join);
+  const int size = size_[below];
+  add_to_sizes(parent_[below], -size);
+  reverse_parents(hung, hinge.other(hung), join, size);
+  add_to_sizes(hinge.other(hung), size);
 }
 
-/// Hangs the subtree that was cut off by panel `from` instead of its old top.
-void MovingTree::reverse_parents(int from, int to_parent, int join) {
+/// Of a panel and all that it hangs from.
+void MovingTree::add_to_sizes(int panel, int change) {
+  for (; panel != -1; panel = parent_[panel]) size_[panel] += change;
+}
+
+/// Hangs the subtree that was cut off by panel `from` instead of its old top. `size`: its panels
+void MovingTree::reverse_parents(int from, int to_parent, int join, int size) {
   int panel = from;
   int parent = to_parent;
   int fold = join;
+  int before = 0;  // panels below the one before, which now hangs above
   while (fold != cut_) {
     const int old_parent = parent_[panel];
     const int old_fold = parent_fold_[panel];
+    before = std::exchange(size_[panel], size - before);
     parent_[panel] = parent;
     parent_fold_[panel] = fold;
     parent = panel;

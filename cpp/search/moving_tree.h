@@ -23,6 +23,8 @@ class MovingTree {
 
   /// Splits the tree at fold `cut` and selects the smaller side as the one to move. Linear in it.
   void select_side(int cut);
+  /// The fold that was cut last.
+  int cut() const { return cut_; }
   /// Panels of the side that moves.
   std::span<const int> selected() const { return selected_; }
   bool moves(int panel) const { return side_stamp_[panel] == side_; }
@@ -39,18 +41,30 @@ class MovingTree {
   void accept(int join);
 
  private:
-  void reverse_parents(int from, int to_parent, int join);
+  /// A hinge of a panel, and the panel on its other side.
+  struct Link {
+    int hinge, panel;
+  };
+
+  std::span<const Link> links_of(int panel) const {
+    const int first = graph_->first_hinge[panel];
+    return std::span(links_).subspan(first, graph_->first_hinge[panel + 1] - first);
+  }
+  /// The end of a fold that hangs from the other one.
+  int lower_end(int fold) const;
+  void reverse_parents(int from, int to_parent, int join, int size);
+  void add_to_sizes(int panel, int change);
 
   const DualGraph* graph_;
+  std::vector<Link> links_;  ///< as `graph_->incident`, closer together than the hinges themselves
   std::vector<int> parent_, parent_fold_;
+  std::vector<int> size_;  ///< per panel: panels at or below it
   std::vector<char> is_fold_;
   int cut_ = -1;
   std::vector<int> selected_;
   std::vector<int> joins_;
-  std::vector<int> other_side_;
   std::vector<std::uint32_t> side_stamp_;
   std::uint32_t side_ = 0;           ///< stamp of the selected side
-  std::uint32_t next_side_ = 0;      ///< last stamp given out
   std::vector<std::uint32_t> mark_;  ///< per panel, for paths
   std::uint32_t path_ = 0;
 };

@@ -109,16 +109,29 @@ void UnfoldingAnalysis::components_of(int first_source, std::vector<SourceMask>&
   fill_subtrees(first_source);
   const int n = static_cast<int>(depth_.size());
   members.assign(n, subtree_[tree_->order[0]]);  // every source of the block, everywhere
+  stale_.assign(n, 1);
   bool changed = true;
   for (int sweep = 0; changed; ++sweep) {
     changed = false;
     for (int i = 0; i < n; ++i) {
       const int panel = tree_->order[sweep % 2 == 0 ? i : n - 1 - i];
+      if (!stale_[panel]) continue;
+      stale_[panel] = 0;
       const SourceMask mask = equation(panel, first_source, members);
       if (mask == members[panel]) continue;
       members[panel] = mask;
+      mark_stale(panel);
       changed = true;
     }
+  }
+}
+
+/// Marks the panels whose equations have this one's members on their right side.
+void UnfoldingAnalysis::mark_stale(int panel) {
+  if (const int parent = tree_->parent[panel]; parent != -1) stale_[parent] = 1;
+  for (int i = first_child_[panel]; i < first_child_[panel + 1]; ++i) stale_[children_[i]] = 1;
+  for (int i = first_blocker_[panel]; i < first_blocker_[panel + 1]; ++i) {
+    stale_[blockers_[i].panel] = 1;  // overlapping is mutual
   }
 }
 

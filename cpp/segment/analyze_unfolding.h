@@ -23,7 +23,7 @@ using SourceMask = std::array<std::uint64_t, kSourceBlock / 64>;
 /// no member that overlaps v is reached before it. At equal distance the lower panel is reached
 /// first. "Towards f" and "before" are sides of tree edges, so the definition is a system of
 /// equations over source masks; it is well founded in the distance from f and has one solution,
-/// which sweeps up and down the tree find.
+/// which sweeps up and down the tree find; a sweep looks only where something has changed.
 class UnfoldingAnalysis {
  public:
   /// `overlaps`: all overlapping pairs of panels. The tree must outlive this object.
@@ -44,6 +44,7 @@ class UnfoldingAnalysis {
 
   Blocker make_blocker(int blocker, int blocked) const;
   void fill_subtrees(int first_source);
+  void mark_stale(int panel);
   SourceMask equation(int panel, int first_source, const std::vector<SourceMask>& members) const;
 
   const RootedTree* tree_;
@@ -52,6 +53,7 @@ class UnfoldingAnalysis {
   std::vector<int> first_blocker_;
   std::vector<Blocker> blockers_;
   std::vector<SourceMask> subtree_;  ///< per panel: the block's sources at or below it
+  std::vector<char> stale_;          ///< per panel: its equation may not hold any more
 };
 
 }  // namespace foldwright

@@ -1,5 +1,5 @@
 // Small Vite plugins that both bundles share.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from '../setup/paths.mjs';
 
@@ -29,6 +29,26 @@ export function copyWasm() {
     name: 'copy-wasm',
     generateBundle() {
       this.emitFile({ type: 'asset', fileName: 'foldwright.wasm', source: readFileSync(file) });
+    },
+  };
+}
+
+/** Puts the fonts of printed texts into a folder beside the scripts: under node they are read as files. */
+export function copyFonts() {
+  const wanted = {
+    'noto-sans': /^noto-sans-(?!devanagari).*-400-normal\.woff$/,
+    'biz-udpgothic': /^biz-udpgothic-\d+-400-normal\.woff$/,
+  };
+  return {
+    name: 'copy-fonts',
+    generateBundle() {
+      for (const [font, pattern] of Object.entries(wanted)) {
+        const folder = join(root, 'node_modules/@fontsource', font, 'files');
+        for (const file of readdirSync(folder).filter((name) => pattern.test(name))) {
+          const source = readFileSync(join(folder, file));
+          this.emitFile({ type: 'asset', fileName: `fonts/${file}`, source });
+        }
+      }
     },
   };
 }

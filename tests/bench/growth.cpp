@@ -1,11 +1,15 @@
 // How time and memory grow with the number of faces: every stage of a job on one detailed model,
-// simplified to each size beforehand, in 12 parts, on one thread. `bench_growth [MOST_FACES]`
+// simplified to each size beforehand, on one thread. `bench_growth [--least FACES] [--most FACES]
+// [--parts K] [--no-folding] [--keep FOLDER]`: 0 parts lets the shape decide; FOLDER gets the
+// simplified models, as FACES.off.
 
 #include <sys/resource.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "mesh/simplify.h"
 #include "timed_job.h"
@@ -16,15 +20,39 @@ using namespace foldwright;
 
 constexpr const char* kFolder = "models/full";
 constexpr const char* kModel = "nefertiti";
-constexpr int kParts = 12;
 
-std::vector<std::byte> as_off(const Mesh& mesh) {
+struct Wishes {
+  int least = 0;
+  int most = 20000;
+  JobOptions job;
+  std::string keep;  ///< folder; empty: nowhere
+};
+
+Wishes wishes_of(int argc, char** argv) {
+  Wishes wishes;
+  wishes.job.parts = 12;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view name = argv[i];
+    if (name == "--no-folding") wishes.job.folding = FoldingMode::kOff;
+    if (i + 1 == argc) continue;
+    if (name == "--least") wishes.least = std::atoi(argv[++i]);
+    if (name == "--most") wishes.most = std::atoi(argv[++i]);
+    if (name == "--parts") wishes.job.parts = std::atoi(argv[++i]);
+    if (name == "--keep") wishes.keep = argv[++i];
+  }
+  return wishes;
+}
+
+std::string as_off(const Mesh& mesh) {
   std::ostringstream out;
   out.precision(9);
   out << "OFF\n" << mesh.positions.size() << ' ' << mesh.faces.size() << " 0\n";
   for (const Vec3& p : mesh.positions) out << p.transpose() << '\n';
   for (const auto& [a, b, c] : mesh.faces) out << "3 " << a << ' ' << b << ' ' << c << '\n';
-  const std::string text = out.str();
+  return out.str();
+}
+
+std::vector<std::byte> as_bytes(const std::string& text) {
   std::vector<std::byte> bytes(text.size());
   std::memcpy(bytes.data(), text.data(), text.size());
   return bytes;
@@ -37,36 +65,38 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-void measure(const Mesh& full, int faces) {
+void measure(const Mesh& full, int faces, const Wishes& wishes) {
   const Mesh mesh = faces < full.face_count() ? simplify(full, {.target_faces = faces}) : full;
-  JobOptions options;
-  options.parts = kParts;
-  const testing::TimedJob timed = testing::run_timed(as_off(mesh), "model.off", options);
+  const std::string text = as_off(mesh);
+  if (!wishes.keep.empty()) {
+    std::ofstream(wishes.keep + "/" + std::to_string(faces) + ".off") << text;
+  }
+  const testing::TimedJob timed = testing::run_timed(as_bytes(text), "model.off", wishes.job);
   if (!timed.result) return;
-  const auto seconds = [&](StageId stage) {
-    const auto it = timed.seconds.find(stage);
-    return it == timed.seconds.end() ? 0.0 : it->second;
-  };
   double total = 0;
-  for (const auto& [stage, spent] : timed.seconds) total += spent;
-  std::printf("%7d %7zu %8.2f %8.2f %8.2f %8.2f %8.2f %8.2f %8.0f\n", mesh.face_count(),
-              timed.result->pieces.size(), seconds(StageId::kRead), seconds(StageId::kLearn),
-              seconds(StageId::kCluster), seconds(StageId::kSearch), seconds(StageId::kPaper),
-              total, peak_megabytes());
+  std::printf("%7d %7zu", mesh.face_count(), timed.result->pieces.size());
+  for (const StageId stage :
+       {StageId::kRead, StageId::kLearn, StageId::kCluster, StageId::kSearch, StageId::kPaper}) {
+    const auto it = timed.seconds.find(stage);
+    const double seconds = it == timed.seconds.end() ? 0 : it->second;
+    total += seconds;
+    std::printf(" %8.2f", seconds);
+  }
+  std::printf(" %8.2f %8.0f\n", total, peak_megabytes());
   std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int most = argc > 1 ? std::atoi(argv[1]) : 20000;
+  const Wishes wishes = wishes_of(argc, argv);
   for (const auto& path : testing::files_below(kFolder)) {
     if (path.filename().string().find(kModel) == std::string::npos) continue;
     const Mesh full = testing::load(path).mesh;
     std::printf("%7s %7s %8s %8s %8s %8s %8s %8s %8s\n", "faces", "pieces", "read s", "learn s",
                 "parts s", "search s", "paper s", "all s", "MB");
     for (const int faces : {300, 1000, 3000, 5000, 10000, 20000, 30000, 70000}) {
-      if (faces <= most) measure(full, faces);
+      if (wishes.least <= faces && faces <= wishes.most) measure(full, faces, wishes);
     }
     return 0;
   }

@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 
 #include "geometry/convex2.h"
+#include "mesh/input_error.h"
 #include "meshes.h"
-#include "search/tree_search.h"
+#include "nets.h"
 
 namespace foldwright::testing {
 namespace {
@@ -31,17 +34,6 @@ double shared_area(std::span<const Vec2> a, std::span<const Vec2> b) {
     }
   }
   return area;
-}
-
-/// A net of the whole mesh at a size of about `size` mm.
-Net net_of(const Mesh& mesh, double size) {
-  const DualGraph graph = build_dual_graph(mesh);
-  TreeSearch search(mesh, graph);
-  while (search.step(100000) == TreeSearch::State::kRunning) continue;
-  EXPECT_EQ(search.best_overlaps(), 0);
-  Net net = make_net(mesh, graph, search.best());
-  for (Vec2& p : net.vertices) p *= size / 2;
-  return net;
 }
 
 std::vector<Vec2> face_of(const Net& net, int face) {
@@ -127,6 +119,77 @@ TEST(PlaceFlaps, GivesEachSeamOneFlapOrTwo) {
     }
   }
   EXPECT_TRUE(place_flaps(mesh, nets, {FlapSide::kNone, {}}).flaps[0].empty());
+}
+
+/// Per edge of the cube's net with a flap: whether it is on the left of the mesh edge.
+std::multimap<int, bool> sides_with_flaps(const Mesh& mesh, const Net& net, const FlapPlan& plan) {
+  std::multimap<int, bool> sides;
+  for (const Flap& flap : plan.flaps[0]) {
+    const NetEdge& edge = net.edges[flap.edge];
+    for (std::size_t f = 0; f < net.faces.size(); ++f) {
+      for (int i = 0; i < 3; ++i) {
+        const bool is_here = net.corners[f][i] == edge.vertices[0] &&
+                             net.corners[f][(i + 1) % 3] == edge.vertices[1];
+        if (is_here) {
+          sides.emplace(edge.mesh_edge, mesh.edges[edge.mesh_edge].faces[0] == net.faces[f]);
+        }
+      }
+    }
+  }
+  return sides;
+}
+
+TEST(PlaceFlaps, FollowsAChoiceForAnEdge) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  const FlapPlan plain = place_flaps(mesh, nets, {});
+  const int edge = nets[0].edges[plain.flaps[0][0].edge].mesh_edge;
+  const auto [from, to] = mesh.edges[edge].vertices;
+  const auto sides_for = [&](int u, int v, EdgeFlaps flaps) {
+    const FlapPlan plan =
+        place_flaps(mesh, nets, {.choices = {{u, v, EdgeFlaps::kBoth}, {u, v, flaps}}});
+    EXPECT_EQ(plan.counts.wanted, flaps == EdgeFlaps::kNone ? 6 : 7);
+    const auto sides = sides_with_flaps(mesh, nets[0], plan);
+    std::multiset<bool> found;
+    for (auto [at, end] = sides.equal_range(edge); at != end; ++at) found.insert(at->second);
+    return found;
+  };
+  EXPECT_EQ(sides_for(from, to, EdgeFlaps::kNone), std::multiset<bool>{});
+  EXPECT_EQ(sides_for(from, to, EdgeFlaps::kLeft), std::multiset<bool>{true});
+  EXPECT_EQ(sides_for(from, to, EdgeFlaps::kRight), std::multiset<bool>{false});
+  EXPECT_EQ(sides_for(to, from, EdgeFlaps::kLeft), std::multiset<bool>{false});
+  EXPECT_EQ(sides_for(to, from, EdgeFlaps::kBoth), (std::multiset<bool>{false, true}));
+  const FlapPlan only =
+      place_flaps(mesh, nets, {.side = FlapSide::kNone, .choices = {{from, to, EdgeFlaps::kBoth}}});
+  EXPECT_EQ(only.flaps[0].size(), 2u);
+  EXPECT_EQ(only.counts.wanted, 1);
+}
+
+TEST(PlaceFlaps, RefusesAChoiceForAnEdgeThatIsNotThere) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  try {
+    place_flaps(mesh, nets, {.choices = {{0, 99, EdgeFlaps::kBoth}}});
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("from vertex 0 to 99"), std::string::npos);
+  }
+}
+
+TEST(PlaceFlaps, PutsFlapsOnBordersIfAsked) {
+  const Mesh mesh = open_strip(3);
+  const std::vector<Net> nets = {net_of(mesh, 60)};
+  EXPECT_TRUE(place_flaps(mesh, nets, {}).flaps[0].empty());
+  const FlapPlan plan = place_flaps(mesh, nets, {.borders = true});
+  EXPECT_EQ(plan.counts.borders, 8) << "three squares in a row";
+  EXPECT_EQ(plan.counts.wanted, 0);
+  for (const Flap& flap : plan.flaps[0]) {
+    EXPECT_EQ(flap.height, 5);
+    EXPECT_EQ(flap.angle, 0);
+  }
+  const Mesh::Edge& edge = mesh.edges[nets[0].edges[plan.flaps[0][0].edge].mesh_edge];
+  const FlapChoice none = {edge.vertices[0], edge.vertices[1], EdgeFlaps::kNone};
+  EXPECT_EQ(place_flaps(mesh, nets, {.borders = true, .choices = {none}}).counts.borders, 7);
 }
 
 TEST(PlaceFlaps, TellsWhyThereIsNone) {

@@ -60,13 +60,16 @@ inline void finish(Outcome& outcome, Job& job) {
   }
 }
 
-inline Outcome run_file(const std::string& text, const std::string& name, const JobOptions& options,
-                        std::int64_t slice = kSlice) {
-  Job job(to_bytes(text), name, options);
+inline Outcome run_job(Job job, std::int64_t slice = kSlice) {
   Outcome outcome;
   while (!job.finished()) append(outcome, job.step(slice));
   finish(outcome, job);
   return outcome;
+}
+
+inline Outcome run_file(const std::string& text, const std::string& name, const JobOptions& options,
+                        std::int64_t slice = kSlice) {
+  return run_job(Job(to_bytes(text), name, options), slice);
 }
 
 inline Outcome run(const Mesh& mesh, const JobOptions& options = {}, std::int64_t slice = kSlice) {

@@ -1,24 +1,26 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
 #include "geometry/convex2.h"
 #include "meshes.h"
+#include "nets.h"
 #include "paper/labels.h"
-#include "search/tree_search.h"
 
 namespace foldwright::testing {
 namespace {
 
-Net net_of(const Mesh& mesh, double size) {
-  const DualGraph graph = build_dual_graph(mesh);
-  TreeSearch search(mesh, graph);
-  while (search.step(100000) == TreeSearch::State::kRunning) continue;
-  Net net = make_net(mesh, graph, search.best());
-  for (Vec2& p : net.vertices) p *= size / 2;
-  return net;
+/// Labels of nets that are named by letters.
+LabelPlan labelled(const std::vector<Net>& nets, const std::vector<std::vector<Flap>>& flaps,
+                   IdPlace place, const std::vector<int>& tape = {}) {
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < nets.size(); ++n) names.push_back(piece_letter(static_cast<int>(n)));
+  return place_labels({nets, flaps, names, place, tape});
 }
 
 /// The ink of a label, as narrow as usual faces are.
@@ -45,10 +47,30 @@ bool crosses(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
   return false;
 }
 
+bool is_inside(std::span<const Vec2> polygon, const Vec2& p) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2& from = polygon[k];
+    if (cross(polygon[(k + 1) % polygon.size()] - from, p - from) < 0) return false;
+  }
+  return true;
+}
+
+/// Whether a point lies on one of the faces or flaps.
+bool is_on(const Net& net, const std::vector<Flap>& flaps, const Vec2& p) {
+  return std::ranges::any_of(
+             net.corners,
+             [&](const std::array<int, 3>& face) {
+               const auto& [a, b, c] = face;
+               return is_inside(std::array{net.vertices[a], net.vertices[b], net.vertices[c]}, p);
+             }) ||
+         std::ranges::any_of(flaps, [&](const Flap& flap) { return is_inside(flap.corners, p); });
+}
+
 void expect_clear(const Net& net, const std::vector<Flap>& flaps,
                   const std::vector<Label>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const std::vector<Vec2> box = ink(labels[i]);
+    EXPECT_TRUE(is_on(net, flaps, labels[i].centre)) << labels[i].text;
     EXPECT_GT(labels[i].angle, -1.5707963268);
     EXPECT_LE(labels[i].angle, 1.5707963268);
     for (const NetEdge& edge : net.edges) {
@@ -63,6 +85,10 @@ void expect_clear(const Net& net, const std::vector<Flap>& flaps,
     }
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_FALSE(convex_overlap(box, ink(labels[j]), 0)) << labels[i].text;
+    }
+    for (const Label& other : labels) {
+      if (!other.leader) continue;
+      EXPECT_FALSE(crosses(box, other.leader->from, other.leader->to)) << labels[i].text;
     }
   }
 }
@@ -80,18 +106,27 @@ TEST(PlaceLabels, KeepOffLinesAndEachOther) {
     const std::vector<Net> nets = {net_of(mesh, 150)};
     const FlapPlan flaps = place_flaps(mesh, nets, {});
     for (const IdPlace place : {IdPlace::kInside, IdPlace::kFlap, IdPlace::kBoth}) {
-      const LabelPlan plan = place_labels(nets, flaps.flaps, place);
+      const LabelPlan plan = labelled(nets, flaps.flaps, place);
       expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
       EXPECT_GT(plan.printed, 0);
     }
   }
 }
 
+TEST(PlaceLabels, KeepOnNarrowFlaps) {
+  // At this size many flaps are lower and narrower than the texts of their edges.
+  const Mesh mesh = bumpy_sphere(300);
+  const std::vector<Net> nets = {net_of(mesh, 75)};
+  const FlapPlan flaps = place_flaps(mesh, nets, {});
+  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kFlap);
+  expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
+}
+
 TEST(PlaceLabels, WriteEachIdAtBothSidesOrListIt) {
   const Mesh mesh = bumpy_sphere(300);
   const std::vector<Net> nets = {net_of(mesh, 100)};
   const FlapPlan flaps = place_flaps(mesh, nets, {});
-  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kInside);
+  const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kInside);
   std::map<std::string, int> uses;
   for (const Label& label : plan.labels[0]) ++uses[label.text];
   const std::set<int> skipped(plan.skipped.begin(), plan.skipped.end());
@@ -107,6 +142,50 @@ TEST(PlaceLabels, WriteEachIdAtBothSidesOrListIt) {
   EXPECT_GT(plan.printed, seams / 2);
 }
 
+TEST(PlaceLabels, LeadToEdgesWithoutRoomBesideThem) {
+  const Mesh mesh = bumpy_sphere(600);
+  const std::vector<Net> nets = {net_of(mesh, 90)};
+  const FlapPlan flaps = place_flaps(mesh, nets, {});
+  const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kBoth);
+  expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
+  int led = 0;
+  for (const Label& label : plan.labels[0]) {
+    if (!label.leader) continue;
+    ++led;
+    // The line ends at the middle of a cut edge, on its inner side.
+    const Vec2 end = label.leader->to;
+    EXPECT_TRUE(std::ranges::any_of(nets[0].edges, [&](const NetEdge& edge) {
+      const Vec2 a = nets[0].vertices[edge.vertices[0]];
+      const Vec2 b = nets[0].vertices[edge.vertices[1]];
+      const bool is_left = cross(b - a, end - a) > 0;
+      return edge.assignment == Assignment::kCut && is_left && (0.5 * (a + b) - end).norm() < 0.3;
+    })) << label.text;
+  }
+  EXPECT_GT(led, 0);
+}
+
+TEST(PlaceLabels, MarkBothSidesForTape) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  const std::vector<std::vector<Flap>> none(1);
+  const int edge = find_seams(nets)[2].mesh_edge;
+  const LabelPlan plan = labelled(nets, none, IdPlace::kBoth, {edge});
+  EXPECT_EQ(plan.tape_marks[0].size(), 4u);
+  for (const Stroke& mark : plan.tape_marks[0]) {
+    for (const Label& label : plan.labels[0]) {
+      EXPECT_FALSE(crosses(ink(label), mark.from, mark.to)) << label.text;
+    }
+  }
+}
+
+TEST(NumberSeams, CountsAlongTheOutline) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  std::vector<int> numbers = number_seams(nets, find_seams(nets));
+  std::ranges::sort(numbers);
+  EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3, 4, 5, 6, 7}));
+}
+
 TEST(PlaceLabels, NameTheOtherPiece) {
   const Mesh mesh = cube();
   const DualGraph graph = build_dual_graph(mesh);
@@ -116,7 +195,7 @@ TEST(PlaceLabels, NameTheOtherPiece) {
     for (Vec2& p : nets.back().vertices) p *= 40;
   }
   const FlapPlan flaps = place_flaps(mesh, nets, {});
-  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kInside);
+  const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kInside);
   EXPECT_EQ(plan.printed, 12);
   for (std::size_t n = 0; n < nets.size(); ++n) {
     const std::string own = piece_letter(static_cast<int>(n));
@@ -138,7 +217,7 @@ TEST(PlaceLabels, LeaveOutWhatNobodyCouldRead) {
   const Mesh mesh = cube();
   const std::vector<Net> nets = {net_of(mesh, 3)};
   const std::vector<std::vector<Flap>> none(1);
-  const LabelPlan plan = place_labels(nets, none, IdPlace::kBoth);
+  const LabelPlan plan = labelled(nets, none, IdPlace::kBoth);
   EXPECT_TRUE(plan.labels[0].empty());
   EXPECT_EQ(plan.printed, 0);
   EXPECT_EQ(plan.skipped.size(), 7u);

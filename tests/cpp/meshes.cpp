@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -136,6 +137,47 @@ Mesh torus(int around, int tube) {
       const int c = next_i * tube + next_j;
       const int d = i * tube + next_j;
       faces.insert(faces.end(), {{a, b, c}, {a, c, d}});
+    }
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+Mesh pretzel() {
+  const auto is_full = [](const std::array<int, 3>& cell) {
+    const auto& [x, y, z] = cell;
+    const bool is_hole = y == 1 && (x == 1 || x == 3);
+    return x >= 0 && x < 5 && y >= 0 && y < 3 && z == 0 && !is_hole;
+  };
+  std::vector<Vec3> positions;
+  std::vector<Face> faces;
+  std::map<std::array<int, 3>, int> vertices;
+  Random random(1);
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [known, is_new] = vertices.try_emplace(at, static_cast<int>(vertices.size()));
+    if (is_new) {
+      Vec3& place = positions.emplace_back(at[0], at[1], at[2]);
+      for (const int axis : {0, 1, 2}) place[axis] += 0.3 * (random.uniform() - 0.5);
+    }
+    return known->second;
+  };
+  for (int cell = 0; cell < 15; ++cell) {
+    const std::array<int, 3> at = {cell % 5, cell / 5, 0};
+    for (int wall = 0; is_full(at) && wall < 6; ++wall) {
+      const int axis = wall / 2;
+      const int side = wall % 2;
+      std::array<int, 3> beyond = at;
+      beyond[axis] += side == 1 ? 1 : -1;
+      if (is_full(beyond)) continue;
+      std::array<std::array<int, 3>, 4> corners;
+      corners.fill(at);
+      for (auto& corner : corners) corner[axis] += side;
+      for (const int i : {1, 2}) ++corners[i][(axis + 1) % 3];
+      for (const int i : {2, 3}) ++corners[i][(axis + 2) % 3];
+      if (side == 0) std::swap(corners[1], corners[3]);
+      const int first = vertex(corners[0]);
+      const int opposite = vertex(corners[2]);
+      faces.push_back({first, vertex(corners[1]), opposite});
+      faces.push_back({first, opposite, vertex(corners[3])});
     }
   }
   return make_mesh(std::move(positions), std::move(faces));

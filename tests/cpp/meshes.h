@@ -26,6 +26,9 @@ Mesh star();
 /// Torus with radii 1 and 0.4: `around` x `tube` quads, each in two triangles. \pre both >= 3
 Mesh torus(int around, int tube);
 
+/// Uneven block of 5 x 3 with two holes: closed, of genus 2, 100 triangles.
+Mesh pretzel();
+
 /// Flat open strip of `squares` unit squares in a row: 2 * squares triangles.
 Mesh open_strip(int squares);
 

@@ -21,6 +21,7 @@ TEST(Meshes, ClosedOnesAreClosedAndWoundOutwards) {
   expect_closed(icosahedron(), 20, 2);
   expect_closed(star(), 60, 2);
   expect_closed(torus(8, 6), 96, 0);
+  expect_closed(pretzel(), 100, -2);
   expect_closed(l_prism(), 20, 2);
   expect_closed(dumbbell(), 336, 2);
   expect_closed(bumpy_sphere(1000), 1024, 2);

@@ -23,6 +23,7 @@ JobState state_before_search() {
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
     component.labels.push_back(graph.panel_faces(panel)[0] < 8 ? 0 : 1);
   }
+  component.part_numbers = {0, 1};
   state.components.push_back(std::move(component));
   state.result.labels.resize(state.surface->mesh.faces.size());
   return state;
@@ -43,7 +44,7 @@ TEST(PartTrees, KnowThePanelsOfEachPart) {
     EXPECT_EQ(region.cause, Cause::kPart);
     EXPECT_EQ(region.panels, panels_of(state.components[0].labels, part));
   }
-  trees.label_faces(state);
+  label_faces(state);
   for (int face = 0; face < state.surface->mesh.face_count(); ++face) {
     EXPECT_EQ(state.result.labels[face], face < 8 ? 0 : 1);
   }

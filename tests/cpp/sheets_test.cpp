@@ -87,6 +87,7 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
   ASSERT_EQ(layout.placements.size(), nets.size());
   std::vector<char> used(layout.sheet_count, 0);
   const double least = options.margin - 1e-9;
+  const double ruled = ruled_margin(options) - 1e-9;
   for (std::size_t i = 0; i < nets.size(); ++i) {
     ASSERT_GE(layout.placements[i].sheet, 0);
     ASSERT_LT(layout.placements[i].sheet, layout.sheet_count);
@@ -94,8 +95,8 @@ void expect_within_margins_and_apart(const std::vector<Net>& nets, const SheetLa
     EXPECT_NEAR(box_of(nets[i]).min[0], 0, 1e-9);
     EXPECT_NEAR(box_of(nets[i]).min[1], 0, 1e-9);
     const Box2 box = placed(nets[i], layout.placements[i]);
-    EXPECT_GE(box.min[0], least);
-    EXPECT_GE(box.min[1], least);
+    EXPECT_GE(box.min[0], ruled);
+    EXPECT_GE(box.min[1], ruled);
     EXPECT_LE(box.max[0], layout.sheet_width - least);
     EXPECT_LE(box.max[1], layout.sheet_height - least);
     for (std::size_t j = 0; j < i; ++j) {
@@ -129,7 +130,7 @@ SheetLayout fit_on_sheets(std::vector<Net>& nets, const SheetOptions& options = 
     for (Vec2& p : net.vertices) p *= scale;
     prints.push_back(footprint_of(net));
   }
-  SheetLayout layout = lay_on_sheets(prints, options);
+  SheetLayout layout = lay_on_sheets({.pieces = prints, .options = options});
   layout.scale = scale;
   for (std::size_t i = 0; i < nets.size(); ++i) {
     for (Vec2& p : nets[i].vertices) p = layout.turns[i](p);
@@ -202,6 +203,12 @@ TEST(LayOnSheets, TurnsTheSheetWhenThatSavesPaper) {
   EXPECT_LE(wide.sheet_count, tall.sheet_count);
 }
 
+TEST(LayOnSheets, KeepsRoomForRulersInNarrowMargins) {
+  EXPECT_EQ(ruled_margin({.margin = 10}), 10);
+  EXPECT_EQ(ruled_margin({.margin = 5}), 9.5);
+  EXPECT_EQ(ruled_margin({.margin = 0}), 5.5);
+}
+
 TEST(LayOnSheets, PutsSmallPiecesOnOneSheet) {
   std::vector<Net> nets = {rectangle(1, 1.5)};
   for (int i = 0; i < 4; ++i) nets.push_back(rectangle(0.01, 0.01));
@@ -214,7 +221,7 @@ TEST(LayOnSheets, NestsWhatBoxesCannot) {
   Mesh mesh = make_mesh({{0, 0, 0}, {170, 0, 0}, {0, 260, 0}}, {{0, 1, 2}});
   const Net triangle = make_net(mesh, build_dual_graph(mesh), {});
   const std::vector<Footprint> prints(2, footprint_of(triangle));
-  const SheetLayout layout = lay_on_sheets(prints);
+  const SheetLayout layout = lay_on_sheets({.pieces = prints});
   EXPECT_EQ(layout.sheet_count, 1);
 }
 
@@ -231,8 +238,53 @@ TEST(LayOnSheets, TakesNoMoreSheetsThanRowsOfBoxes) {
     }
     const SheetOptions options = {.orientation = Orientation::kPortrait};
     const int rows = lay_in_rows(boxes, printable(options), options.gap).sheet_count;
-    EXPECT_LE(lay_on_sheets(prints, options).sheet_count, rows) << seed;
+    EXPECT_LE(lay_on_sheets({.pieces = prints, .options = options}).sheet_count, rows) << seed;
   }
+}
+
+TEST(LayOnSheets, LeavesPinnedPiecesWhereTheyAre) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Net> nets = random_nets(random, 8);
+    for (Net& net : nets) {
+      for (Vec2& p : net.vertices) p *= 12;
+    }
+    std::vector<Footprint> prints;
+    std::vector<std::optional<Pin>> pins(8);
+    for (const Net& net : nets) prints.push_back(footprint_of(net));
+    const SheetOptions options = {.width = 300, .height = 400};
+    pins[3] = Pin{{0, 20 + 40 * random.uniform(), 30}, 6 * random.uniform()};
+    SheetLayout layout = lay_on_sheets({.pieces = prints, .options = options, .pins = pins});
+    EXPECT_EQ(layout.placements[3].sheet, 0);
+    EXPECT_EQ(layout.placements[3].x, pins[3]->place.x);
+    EXPECT_EQ(layout.placements[3].y, 30);
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+      for (Vec2& p : nets[i].vertices) p = layout.turns[i](p);
+    }
+    expect_within_margins_and_apart(nets, layout, options);
+  }
+}
+
+TEST(LayOnSheets, RefusesPinsThatCannotStay) {
+  std::vector<Net> nets = {rectangle(100, 50), rectangle(100, 50)};
+  const std::vector<Footprint> prints = {footprint_of(nets[0]), footprint_of(nets[1])};
+  const std::vector<std::string> names = {"A", "Wing"};
+  const auto fault = [&](const Pin& first, const Pin& second) -> std::string {
+    const std::vector<std::optional<Pin>> pins = {first, second};
+    try {
+      lay_on_sheets({.pieces = prints, .pins = pins, .names = names});
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.code(), "bad-pin");
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault({{0, 10, 10}, 0}, {{1, 10, 10}, 0}), "");
+  EXPECT_EQ(fault({{0, 10, 10}, 0}, {{0, 15, 15}, 0}),
+            "pieces A and Wing are pinned on top of each other on sheet 1");
+  EXPECT_EQ(fault({{0, 10, 10}, 0}, {{2, 5, 10}, 0}),
+            "piece Wing is pinned partly outside the printable area of sheet 3");
 }
 
 TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {

@@ -42,8 +42,15 @@ std::vector<Work> all_kinds_of_work() {
                                     .clearance = 0.03,
                                     .seed = 6};
   const FoldTree folds = {0, 1, 2, 3, 4, 5, 6, 8, 9, 10};
-  return {LearnTask{learn, 2, 7}, SearchTask{search, folds}, GeneticTask{genetic},
-          ExchangeTask{parts, exchange}, PlanTask{folds, 0.04, 10}};
+  CompactTask compact{folds, {}, {}};
+  compact.craft = {.scale = 12,
+                   .shape = {.height = 4, .least = 1.5, .angle = 0.9},
+                   .weights = {.flaps = 1.1, .hull = 2, .necks = 0.4, .excess = 0.7},
+                   .room = {150, 200},
+                   .borders = {{3, 2.5}}};
+  compact.annealing = {.work = 5000, .hot = 0.2, .cold = 0.03, .clearance = 0.02, .seed = 12};
+  return {LearnTask{learn, 2, 7},        SearchTask{search, folds}, GeneticTask{genetic},
+          ExchangeTask{parts, exchange}, PlanTask{folds, 0.04, 10}, compact};
 }
 
 TEST(Wire, CarriesTasksThatGiveTheSameResult) {
@@ -108,6 +115,27 @@ TEST(Wire, CarriesEveryOptionOfATask) {
   EXPECT_EQ(plan.folds, (FoldTree{0, 1, 2, 3, 4, 5, 6, 8, 9, 10}));
   EXPECT_EQ(plan.clearance, 0.04);
   EXPECT_EQ(plan.seed, 10u);
+  const CompactTask compact = std::get<CompactTask>(carried(5));
+  const auto expected = std::get<CompactTask>(all_kinds_of_work()[5]);
+  EXPECT_EQ(compact.folds, expected.folds);
+  EXPECT_EQ(compact.craft.scale, 12);
+  EXPECT_EQ(compact.craft.shape.height, 4);
+  EXPECT_EQ(compact.craft.shape.least, 1.5);
+  EXPECT_EQ(compact.craft.shape.angle, 0.9);
+  EXPECT_EQ(compact.craft.weights.flaps, 1.1);
+  EXPECT_EQ(compact.craft.weights.hull, 2);
+  EXPECT_EQ(compact.craft.weights.necks, 0.4);
+  EXPECT_EQ(compact.craft.weights.excess, 0.7);
+  EXPECT_EQ(compact.craft.room.width, 150);
+  EXPECT_EQ(compact.craft.room.height, 200);
+  ASSERT_EQ(compact.craft.borders.size(), 1u);
+  EXPECT_EQ(compact.craft.borders[0].mesh_edge, 3);
+  EXPECT_EQ(compact.craft.borders[0].height, 2.5);
+  EXPECT_EQ(compact.annealing.work, 5000);
+  EXPECT_EQ(compact.annealing.hot, 0.2);
+  EXPECT_EQ(compact.annealing.cold, 0.03);
+  EXPECT_EQ(compact.annealing.clearance, 0.02);
+  EXPECT_EQ(compact.annealing.seed, 12u);
 }
 
 TEST(Wire, CarriesSurfaces) {

@@ -56,6 +56,11 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await studio.picture(`${name}-4-after`);
     expect(await barriers(page)).toEqual([]);
 
+    await page.locator('.part').first().click();
+    await studio.picture(`${name}-6-parts`);
+    expect(await barriers(page)).toEqual([]);
+    await page.locator('.part').first().click();
+
     await page.getByText('How to fold and glue it').click();
     await page.locator('.step').nth(1).click();
     await studio.picture(`${name}-5-steps`);

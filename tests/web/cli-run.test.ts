@@ -100,6 +100,30 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(texts[0]).toBe(texts[1]);
     }));
 
+  it('splits and merges parts of what comes out', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const [fold, path] = [join(folder, 'out.fold'), join(folder, 'report.json')];
+      const args = [model, '--parts', '2', '-o', fold, '--report', path, '--quiet'];
+      expect((await foldwright([...args, '--split', '2:3'])).status).toBe(0);
+      const report = readReport(path);
+      expect(schemaErrors(report)).toEqual([]);
+      expect(report).toMatchObject({ parts: 4, options: { split: ['2:3'], merge: [] } });
+      expect(checkFold(parseFold(readFileSync(fold, 'utf8')))).toEqual([]);
+      expect((await foldwright([...args, '--merge', '1,2'])).status).toBe(0);
+      expect(readReport(path)).toMatchObject({ parts: 1, options: { split: [], merge: ['1,2'] } });
+    }));
+
+  it('says in one sentence which parts it cannot split', () =>
+    withModel(objText(cube), async (folder, model) => {
+      const args = [model, '--parts', '2', '--split', '3', '-o', join(folder, 'out.svg')];
+      expect(await foldwright([...args, '--quiet'])).toEqual({
+        status: 2,
+        stdout: '',
+        stderr: 'foldwright: there is no part 3: the model has 2 parts\n',
+      });
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }));
+
   it.each([
     ['--heuristic', 'flat'],
     ['--heuristic', 'hybrid'],

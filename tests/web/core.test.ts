@@ -179,6 +179,7 @@ describe('StageClock', () => {
       cluster: 0,
       search: 0,
       fold: 0,
+      compact: 0,
       paper: 0.25,
       total: 3.25,
     });

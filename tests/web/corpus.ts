@@ -11,10 +11,10 @@ export interface CorpusCase {
 
 const sizes = [300, 574, 1000, 2000, 3000];
 
-function modelsIn(shared: string): string[] {
+function modelsIn(shared: string, most = Infinity): string[] {
   const listed = (folder: string) => readdirSync(join(shared, 'models', folder)).sort();
   const organic = listed('organic').filter((name) =>
-    sizes.includes(Number(/_(\d+)\.obj$/.exec(name)?.[1])),
+    sizes.filter((faces) => faces <= most).includes(Number(/_(\d+)\.obj$/.exec(name)?.[1])),
   );
   const academic = listed('academic').filter((name) => /\.(obj|off)$/.test(name));
   return [
@@ -30,4 +30,9 @@ export function corpusCases(shared: string): CorpusCase[] {
       return { model, path: join(shared, 'models', model), parts };
     }),
   );
+}
+
+/** The models whose sheets are judged at large: those that people would build. */
+export function sheetCases(shared: string): Pick<CorpusCase, 'model' | 'path'>[] {
+  return modelsIn(shared, 2000).map((model) => ({ model, path: join(shared, 'models', model) }));
 }

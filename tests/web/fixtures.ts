@@ -1,6 +1,6 @@
 /** Small models with known nets, laid flat here so that exporters can be tested without the engine. */
 import type { FlapCounts, JobResult, Model, Piece } from '../../web/model/job.js';
-import { pieceLetter } from '../../web/model/piece-letter.js';
+import { pieceLetter } from './piece-letter.js';
 import { cross, dot, length, minus } from './vectors.js';
 
 type Point = [number, number];
@@ -141,6 +141,7 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
   const foldAngles = [...net.folds.map(({ angle }) => angle), ...cuts.map(() => NaN)];
   return {
     id: 0,
+    name: 'A',
     part: 0,
     cause: 'part',
     overlaps: 0,
@@ -160,11 +161,14 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     },
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
+    necks: Float64Array.of(),
     flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
     labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
+    tapeMarks: new Float64Array(),
     sheet: 0,
     x: 10,
     y: 10,
+    angle: 0,
   };
 }
 
@@ -175,6 +179,9 @@ const noFlaps: FlapCounts = {
   missing: { narrow: 0, thin: 0, blocked: 0, short: 0 },
   wanted_mm: 0,
   missing_mm: 0,
+  borders: 0,
+  strips: 0,
+  taped: 0,
 };
 
 /** A finished job whose pieces lie on A4 sheets, one piece a sheet. */
@@ -197,11 +204,14 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     pieces: pieces.map((piece, i) => ({
       ...piece,
       id: i,
+      name: pieceLetter(i),
       part: i,
       sheet: i,
       labels: piece.labels.map((label) => ({ ...label, text: pieceLetter(i) })),
     })),
+    nets: [],
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
+    strips: [],
     efficiency: 0.25,
     scale: 1,
     flaps: noFlaps,

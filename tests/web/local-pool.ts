@@ -36,7 +36,8 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
           const id = taken++;
           return { id, surface: 0, bytes: Uint8Array.of(id) };
         },
-        surface: () => nothing,
+        surface: () => ({ delete: () => undefined }),
+        surfaceBytes: () => nothing,
         report: () => [],
         complete() {
           ++done;

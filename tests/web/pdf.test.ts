@@ -1,78 +1,93 @@
 import { describe, expect, it } from 'vitest';
 import { writePdf } from '../../web/export/pdf.js';
-import { boxAndLidResult, cubeResult, slitResult } from './fixtures.js';
-import { readPdf, type PdfLine } from './pdf-lines.js';
+import type { JobResult } from '../../web/model/job.js';
+import { boxAndLidResult, cubeResult, flapResult, slitResult } from './fixtures.js';
+import { readPdf, type PdfFile } from './pdf-file.js';
+import { printOf, type PrintWishes } from './printed.js';
+import type { Point } from './sheet-file.js';
 
-function lengthOf({ points }: PdfLine): number {
-  return points.slice(1).reduce((sum, [x, y], i) => {
+function lengthOf(points: Point[], closed: boolean): number {
+  const ends = closed ? [...points.slice(1), points[0]!] : points.slice(1);
+  return ends.reduce((sum, [x, y], i) => {
     const [u, v] = points[i]!;
-    return sum + Math.hypot(x! - u!, y! - v!);
+    return sum + Math.hypot(x - u, y - v);
   }, 0);
 }
 
-/** Closed walks of the cut style; the ruler's lines are open. */
-const cutsOf = (lines: PdfLine[]) =>
-  lines.filter(({ points }) => points.length > 2 && points.at(-1)!.join() === points[0]!.join());
+async function written(result: JobResult, wishes?: PrintWishes): Promise<PdfFile> {
+  return readPdf(await writePdf(await printOf(result, wishes)));
+}
 
 describe('writePdf', () => {
   it('makes each sheet a page of true size that is printed unscaled', async () => {
-    const { pages, scaling } = await readPdf(await writePdf(boxAndLidResult(), { title: 'box' }));
+    const { pages, scaling, title } = await written(boxAndLidResult(), { title: 'box' });
     expect(pages).toHaveLength(2);
-    for (const page of pages) {
-      expect(page.width).toBeCloseTo(210, 3);
-      expect(page.height).toBeCloseTo(297, 3);
+    for (const { sheet } of pages) {
+      expect(sheet.width).toBeCloseTo(210, 3);
+      expect(sheet.height).toBeCloseTo(297, 3);
     }
-    expect(scaling).toBe('None');
+    expect([scaling, title]).toEqual(['None', 'box']);
   });
 
   it('draws cuts and folds at true length', async () => {
-    const { pages } = await readPdf(await writePdf(cubeResult(), { title: 'cube' }));
-    const [cut] = cutsOf(pages[0]!.lines);
+    const { pages } = await written(cubeResult());
+    const { cuts, mountains } = pages[0]!.sheet.pieces.get('A')!;
     // The cross has 14 sides of 40 mm around it.
-    expect(lengthOf(cut!)).toBeCloseTo(14 * 40, 2);
-    expect(cut!.dash).toEqual([]);
-    const folds = pages[0]!.lines.filter(({ dash }) => dash.length === 2);
-    expect(folds).toHaveLength(5);
-    for (const fold of folds) expect(lengthOf(fold)).toBeCloseTo(40, 3);
+    expect(lengthOf(cuts[0]!, true)).toBeCloseTo(14 * 40, 2);
+    expect(mountains).toHaveLength(5);
+    for (const fold of mountains) expect(lengthOf(fold, false)).toBeCloseTo(40, 3);
   });
 
   it('places pieces where the sheet has them', async () => {
     const result = cubeResult();
-    const { pages } = await readPdf(await writePdf(result, { title: 'cube' }));
-    const [cut] = cutsOf(pages[0]!.lines);
-    expect(Math.min(...cut!.points.map(([x]) => x!))).toBeCloseTo(result.pieces[0]!.x, 3);
-    expect(Math.min(...cut!.points.map(([, y]) => y!))).toBeCloseTo(result.pieces[0]!.y, 3);
+    const { pages } = await written(result);
+    const [cut] = pages[0]!.sheet.pieces.get('A')!.cuts;
+    expect(Math.min(...cut!.map(([x]) => x))).toBeCloseTo(result.pieces[0]!.x, 3);
+    expect(Math.min(...cut!.map(([, y]) => y))).toBeCloseTo(result.pieces[0]!.y, 3);
   });
 
   it('walks a slit there and back', async () => {
-    const { pages } = await readPdf(await writePdf(slitResult(), { title: 'slit' }));
-    const [cut] = cutsOf(pages[0]!.lines);
-    expect(lengthOf(cut!)).toBeCloseTo(4 * 30 * Math.SQRT2 + 2 * 30, 2);
+    const { pages } = await written(slitResult());
+    const [cut] = pages[0]!.sheet.pieces.get('A')!.cuts;
+    expect(lengthOf(cut!, true)).toBeCloseTo(4 * 30 * Math.SQRT2 + 2 * 30, 2);
   });
 
-  it('says what page it is and draws a ruler of 50 mm', async () => {
-    const { pages } = await readPdf(await writePdf(boxAndLidResult(), { title: 'box' }));
-    expect(pages[0]!.text).toContain('box - sheet 1 of 2 - print at 100 %');
-    expect(pages[1]!.text).toContain('box - sheet 2 of 2 - print at 100 %');
-    expect(pages[0]!.text).toContain('50 mm');
-    expect(pages[0]!.text).toContain('A');
-    const ruler = pages[0]!.lines.filter((line) => Math.abs(lengthOf(line) - 50) < 1e-3);
-    expect(ruler).toHaveLength(1);
+  it('draws lines as they were asked for', async () => {
+    const { pages } = await written(flapResult(), {
+      options: {
+        style: 'blender',
+        legend: false,
+        lines: { cut: { width: 0.5, colour: '#ff0000' }, valley: { dash: [2, 1] } },
+      },
+    });
+    const [paint, ...more] = pages[0]!.paths.filter((path) => path.paint === 'fill');
+    expect([paint!.colour, more]).toEqual(['#e6e6e6', []]);
+    const cut = pages[0]!.paths.find(({ colour }) => colour === '#ff0000')!;
+    expect([cut.closed, cut.dash]).toEqual([true, []]);
+    expect(cut.width).toBeCloseTo(0.5, 4);
+    const fold = pages[0]!.paths.find(({ dash }) => dash.length === 2)!;
+    expect(fold.width).toBeCloseTo(0.2, 4);
+    fold.dash.forEach((length, i) => expect(length).toBeCloseTo([2, 1][i]!, 4));
   });
 
-  it('leaves notes out where the margin is too narrow for them', async () => {
-    const { pages } = await readPdf(await writePdf(cubeResult(), { title: 'cube', margin: 3 }));
-    expect(pages[0]!.text).toEqual(['A']);
+  it('says what page it is, and how to print it', async () => {
+    const { pages } = await written(boxAndLidResult(), { title: 'box' });
+    const texts = pages.map((page) => page.texts.map(({ text }) => text));
+    expect(texts[0]).toContain('box');
+    expect(texts[0]).toContain('sheet 1 of 2 · print at 100 %');
+    expect(texts[1]).toContain('sheet 2 of 2 · print at 100 %');
+    expect(texts[0]).toContain('A');
   });
 
-  it('replaces letters that the standard fonts lack', async () => {
-    const { pages } = await readPdf(await writePdf(cubeResult(), { title: 'K\u00e4se \u6298' }));
-    expect(pages[0]!.text).toContain('K\u00e4se ? - sheet 1 of 1 - print at 100 %');
+  it('embeds of its fonts only what is used', async () => {
+    const bytes = await writePdf(await printOf(cubeResult()));
+    // The whole of the smallest file of the fonts is larger.
+    expect(bytes.length).toBeLessThan(12_000);
   });
 
   it('is the same bytes every time', async () => {
-    const [a, b] = [cubeResult(), cubeResult()].map((result) =>
-      writePdf(result, { title: 'cube' }),
+    const [a, b] = [cubeResult(), cubeResult()].map(async (result) =>
+      writePdf(await printOf(result)),
     );
     expect(await a).toEqual(await b);
   });

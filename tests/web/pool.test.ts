@@ -99,7 +99,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       { victim: 'conductor', times: 1 },
     ));
 
-  it.each<Stage>(['read', 'learn', 'cluster', 'search', 'paper'])(
+  it.each<Stage>(['read', 'learn', 'cluster', 'search', 'compact', 'paper'])(
     'ends a run that is cancelled in the stage %s, and works on',
     (stage) =>
       withThreads(2, async (pool) => {

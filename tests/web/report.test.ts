@@ -11,7 +11,17 @@ function reportOf(parts: number): Report {
     job: { ...defaultOptions, parts },
     files: ['out-1.svg', 'out-2.svg', 'report.json'],
     result: boxAndLidResult(),
-    seconds: { read: 0.1, learn: 1, cluster: 0.2, search: 0.3, fold: 0, paper: 0.1, total: 1.7 },
+    printed: [{ code: 'missing-glyphs', text: 'no font has X' }],
+    seconds: {
+      read: 0.1,
+      learn: 1,
+      cluster: 0.2,
+      search: 0.3,
+      fold: 0,
+      compact: 0,
+      paper: 0.1,
+      total: 1.7,
+    },
   });
 }
 
@@ -29,6 +39,10 @@ describe('makeReport', () => {
     expect(report.pieces.map(({ faces }) => faces)).toEqual([10, 2]);
     expect(report.sheets).toBe(2);
     expect(report.result_hash).toBe('0123456789abcdef');
+  });
+
+  it('tells what came up when the sheets were drawn', () => {
+    expect(reportOf(2).notices.map(({ code }) => code)).toEqual(['missing-glyphs']);
   });
 
   it('claims nothing that was not looked for', () => {

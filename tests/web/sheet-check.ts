@@ -3,7 +3,7 @@
  * latter's own check ties it to the model.
  */
 import type { FoldFile, NetFrame } from './fold-file.js';
-import { pieceLines, type Lines } from './sheet-lines.js';
+import { pieceLines, type CutSide, type Lines } from './sheet-lines.js';
 import type { PieceLines, Point, SheetFile, SheetText } from './sheet-file.js';
 
 // What the files' decimals and the printer leave open, in mm.
@@ -57,7 +57,11 @@ function inkOf({ text, at, angle, size }: SheetText): Point[] {
 function checkCuts(sheet: SheetFile, margin: number): string[] {
   const faults: string[] = [];
   const sides: { letter: string; side: [Point, Point] }[] = [];
-  for (const [letter, { cuts }] of sheet.pieces) {
+  const all: [string, PieceLines][] = [
+    ...sheet.pieces,
+    ...[...sheet.strips].map(([id, lines]): [string, PieceLines] => [`strip ${id}`, lines]),
+  ];
+  for (const [letter, { cuts }] of all) {
     for (const walk of cuts) {
       for (const side of sidesOf(walk)) sides.push({ letter, side });
       for (const [x, y] of walk) {
@@ -69,7 +73,7 @@ function checkCuts(sheet: SheetFile, margin: number): string[] {
   for (const [a, b] of pairs(sides)) {
     if (cutThrough(a.side, b.side)) faults.push(`${a.letter} runs into ${b.letter}`);
   }
-  for (const [[a, first], [b, second]] of pairs([...sheet.pieces])) {
+  for (const [[a, first], [b, second]] of pairs(all)) {
     const apart =
       !isInside(first.cuts[0]![0]!, second.cuts) && !isInside(second.cuts[0]![0]!, first.cuts);
     if (!apart) faults.push(`${a} and ${b} lie on each other`);
@@ -77,9 +81,10 @@ function checkCuts(sheet: SheetFile, margin: number): string[] {
   return faults;
 }
 
-function checkTexts(letter: string, { cuts, mountains, valleys, texts }: PieceLines): string[] {
+function checkTexts(letter: string, drawn: PieceLines): string[] {
+  const { cuts, mountains, valleys, guides, texts } = drawn;
   const faults: string[] = [];
-  const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys];
+  const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
   for (const text of texts) {
     const ink = inkOf(text);
     if (text.angle <= -90.001 || text.angle > 90.001)
@@ -99,8 +104,39 @@ function checkTexts(letter: string, { cuts, mountains, valleys, texts }: PieceLi
   return faults;
 }
 
-/** Whether the walks go along an edge, straight or around a flap on its outer side. */
+/** Guides lie on the paper of their piece. */
+function checkGuides(letter: string, { cuts, guides }: PieceLines): string[] {
+  const outline = cuts.flatMap(sidesOf);
+  const stays = (guide: [Point, Point]): boolean =>
+    guide.every((end) => isInside(end, cuts)) && !outline.some((side) => cutThrough(side, guide));
+  return guides.every(stays) ? [] : [`${letter}: a guide leaves the paper`];
+}
+
+/** Strips are folded once, by an edge's full length and sign, and hidden behind 4 mm of each face. */
+function checkStrip(id: number, strip: PieceLines, sides: CutSide[]): string[] {
+  const faults = checkTexts(`strip ${id}`, strip);
+  const folds = [...strip.mountains, ...strip.valleys];
+  const [[from, to] = [[0, 0] as Point, [0, 0] as Point]] = folds;
+  if (folds.length !== 1 || strip.cuts.length !== 1) return [`strip ${id} is not one strip`];
+  const sign = strip.valleys.length > 0 ? 1 : -1;
+  const isEdge = (side: CutSide): boolean =>
+    Math.abs(distance(side.from, side.to) - distance(from, to)) < tolerance &&
+    (side.angle > 0 ? 1 : -1) === sign;
+  if (!sides.some(isEdge)) faults.push(`strip ${id} is as long as no edge`);
+  const away = strip.cuts[0]!.map((point) => Math.abs(cross(from, to, point)) / distance(from, to));
+  if (Math.max(...away) > 4 + tolerance) faults.push(`strip ${id} is too wide`);
+  if (!strip.texts.some(({ text }) => text === String(id)))
+    faults.push(`strip ${id} has no number`);
+  return faults;
+}
+
+/**
+ * Whether the walks go along an edge, straight or around a flap on its outer side. Corners of a wedge
+ * may be closer than the tolerance: straight lines are looked for first, or such an edge would be
+ * taken for a flap of the one beside it.
+ */
 function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[] | null {
+  let around: Point[] | null = null;
   for (const walk of walks) {
     for (let i = 0; i < walk.length; ++i) {
       if (distance(walk[i]!, from) > tolerance) continue;
@@ -108,11 +144,11 @@ function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[]
       const end = ahead.findIndex((point) => distance(point, to) <= tolerance);
       if (end === 0) return 'straight';
       if (end > 0 && ahead.slice(0, end).every((point) => cross(from, to, point) < tolerance)) {
-        return [from, ...ahead.slice(0, end + 1)];
+        around ??= [from, ...ahead.slice(0, end + 1)];
       }
     }
   }
-  return null;
+  return around;
 }
 
 function takeFold(folds: [Point, Point][], from: Point, to: Point): boolean {
@@ -174,8 +210,8 @@ function checkIds(sheets: SheetFile[], ids: IdsReport, seams: number): string[] 
   const uses = new Map<number, string[]>();
   for (const [letter, { texts }] of sheets.flatMap((sheet) => [...sheet.pieces])) {
     for (const { text } of texts) {
-      const id = /^(?:([A-Z]+):)?(\d+)$/.exec(text);
-      if (id) uses.set(Number(id[2]), [...(uses.get(Number(id[2])) ?? []), letter]);
+      const id = /^(?:.+:)?(\d+)$/.exec(text);
+      if (id) uses.set(Number(id[1]), [...(uses.get(Number(id[1])) ?? []), letter]);
     }
   }
   const faults: string[] = [];
@@ -197,15 +233,18 @@ export function checkSheets(
 ): string[] {
   const drawn = new Map(sheets.flatMap((sheet) => [...sheet.pieces]));
   const faults = sheets.flatMap((sheet) => checkCuts(sheet, margin));
-  let cuts = 0;
+  const sides: CutSide[] = [];
   for (const { letter, frame, net } of pieceLines(file, drawn)) {
     const lines = drawn.get(letter);
     if (!lines) {
       faults.push(`${letter} is on no sheet`);
       continue;
     }
-    cuts += net.sides.length;
+    sides.push(...net.sides);
     faults.push(...checkEdges(letter, frame, lines, net), ...checkTexts(letter, lines));
+    faults.push(...checkGuides(letter, lines));
   }
-  return [...faults, ...checkIds(sheets, ids, cuts / 2)];
+  const strips = sheets.flatMap((sheet) => [...sheet.strips]);
+  faults.push(...strips.flatMap(([id, strip]) => checkStrip(id, strip, sides)));
+  return [...faults, ...checkIds(sheets, ids, sides.length / 2)];
 }

@@ -11,6 +11,8 @@ export interface SheetText {
   /** Degrees, counter-clockwise. */
   angle: number;
   size: number;
+  /** Where the file tells it; mm. */
+  width?: number;
 }
 
 /** All that is drawn of one piece. */
@@ -19,6 +21,14 @@ export interface PieceLines {
   cuts: Point[][];
   mountains: [Point, Point][];
   valleys: [Point, Point][];
+  /** Lines from numbers to edges, and marks for tape. */
+  guides: [Point, Point][];
+  texts: SheetText[];
+}
+
+/** What helps to print: rulers, a box, the title and a legend. */
+export interface GuideLines {
+  strokes: Point[][];
   texts: SheetText[];
 }
 
@@ -27,15 +37,23 @@ export interface SheetFile {
   height: number;
   /** By letter. */
   pieces: Map<string, PieceLines>;
+  /** Loose strips for glue, by the number of their edge. */
+  strips: Map<number, PieceLines>;
+  guide: GuideLines;
 }
+
+/** Of a letter of Helvetica, over the size of the font. */
+const meanWidth = 0.55;
 
 interface Element {
   'data-piece': string;
+  'data-text'?: string;
   d: string;
   '#text': string;
   x: string;
   y: string;
   'font-size': string;
+  'text-anchor': string;
   transform?: string;
 }
 
@@ -56,6 +74,12 @@ function parse(source: string): Svg {
   return (parser.parse(source) as { svg: Svg }).svg;
 }
 
+/** The number of a loose strip's edge, from what a file calls it; null for pieces. */
+export function stripNumber(name: string): number | null {
+  const strip = /^strip-(\d+)$/.exec(name);
+  return strip ? Number(strip[1]) : null;
+}
+
 /** @throws if anything but closed polygons and single lines in mm is drawn */
 export function readSheet(source: string): SheetFile {
   const svg = parse(source);
@@ -64,10 +88,15 @@ export function readSheet(source: string): SheetFile {
     throw new Error('the sheet is not in mm');
   }
   const pieces = new Map<string, PieceLines>();
+  const strips = new Map<number, PieceLines>();
+  const linesOf = <Key>(all: Map<Key, PieceLines>, key: Key): PieceLines => {
+    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], guides: [], texts: [] };
+    if (!all.has(key)) all.set(key, fresh);
+    return all.get(key)!;
+  };
   const pieceOf = ({ 'data-piece': letter }: Element): PieceLines => {
-    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], texts: [] };
-    if (!pieces.has(letter)) pieces.set(letter, fresh);
-    return pieces.get(letter)!;
+    const strip = stripNumber(letter);
+    return strip === null ? linesOf(pieces, letter) : linesOf(strips, strip);
   };
   const up = (pair: string): Point => {
     const [x, y] = pair.trim().split(' ').map(Number);
@@ -84,25 +113,34 @@ export function readSheet(source: string): SheetFile {
   for (const [id, kind] of [
     ['fold-mountain', 'mountains'],
     ['fold-valley', 'valleys'],
+    ['guide', 'guides'],
   ] as const) {
     for (const element of group(id)?.path ?? []) {
+      if (!element['data-piece']) continue;
       for (const walk of walks(element)) {
         const [from, to] = walk.split('L').map(up);
         pieceOf(element)[kind].push([from!, to!]);
       }
     }
   }
-  for (const element of group('id')?.text ?? []) {
+  const textOf = (element: Element): SheetText => {
     const turn = /^rotate\((\S+) (\S+) (\S+)\)$/.exec(
       element.transform ?? `rotate(0 ${element.x} ${element.y})`,
     );
     if (turn?.[2] !== element.x || turn[3] !== element.y) throw new Error('a text is moved');
-    pieceOf(element).texts.push({
-      text: element['#text'],
-      at: up(`${element.x} ${element.y}`),
-      angle: -Number(turn[1]),
-      size: Number(element['font-size']),
-    });
-  }
-  return { width, height, pieces };
+    const [angle, size, text] = [-Number(turn[1]), Number(element['font-size']), element['#text']];
+    const [x, y] = up(`${element.x} ${element.y}`);
+    const half = element['text-anchor'] === 'start' ? (meanWidth * size * text.length) / 2 : 0;
+    const on = (angle * Math.PI) / 180;
+    return { text, at: [x + half * Math.cos(on), y + half * Math.sin(on)], angle, size };
+  };
+  for (const element of group('id')?.text ?? []) pieceOf(element).texts.push(textOf(element));
+  const guide: GuideLines = {
+    strokes: (group('guide')?.path ?? [])
+      .filter((element) => !element['data-text'] && !element['data-piece'])
+      .flatMap(walks)
+      .map((walk) => walk.replace('Z', '').split('L').map(up)),
+    texts: (group('guide')?.text ?? []).map(textOf),
+  };
+  return { width, height, pieces, strips, guide };
 }

@@ -1,4 +1,5 @@
 import { writeSvg } from '../export/svg.js';
+import type { Print } from '../export/print.js';
 import type { JobResult } from '../model/job.js';
 
 /** A file for the person to keep. */
@@ -12,25 +13,25 @@ export interface ExportInput {
   result: JobResult;
   /** Name of the model without its ending. */
   name: string;
-  /** Margin of the sheets in mm. */
-  margin: number;
+  /** The sheets as they were drawn last. */
+  print: Print;
 }
 
 type Exporter = (input: ExportInput) => Promise<ExportedFile>;
 
 // The others load when they are first asked for: a PDF writer is larger than the whole page.
 const exporters: Readonly<Record<string, Exporter>> = {
-  pdf: async ({ result, name, margin }) => {
+  pdf: async ({ print, name }) => {
     const { writePdf } = await import('../export/pdf.js');
-    const content = await writePdf(result, { title: name, margin });
+    const content = await writePdf(print);
     return { name: `${name}.pdf`, content, mediaType: 'application/pdf' };
   },
-  svg: async ({ result, name }) => {
-    if (result.sheets.length === 1) {
-      return { name: `${name}.svg`, content: writeSvg(result, 0), mediaType: 'image/svg+xml' };
+  svg: async ({ print, name }) => {
+    if (print.sheets.length === 1) {
+      return { name: `${name}.svg`, content: writeSvg(print, 0), mediaType: 'image/svg+xml' };
     }
     const { writeSvgZip } = await import('../export/svg-zip.js');
-    const content = writeSvgZip(result, `${name}.svg`);
+    const content = writeSvgZip(print, `${name}.svg`);
     return { name: `${name}-svg.zip`, content, mediaType: 'application/zip' };
   },
   fold: async ({ result, name }) => {

@@ -1,7 +1,6 @@
 import { flightTimes, foldEnd } from '../model/choreography.js';
 import type { Piece } from '../model/job.js';
 import { joinOrder } from '../model/join-order.js';
-import { pieceLetter } from '../model/piece-letter.js';
 
 /** Names as people list them: A; A and B; A, B and C. */
 export function listed(names: readonly string[]): string {
@@ -11,7 +10,7 @@ export function listed(names: readonly string[]): string {
 
 /** Letters of the pieces in the order in which they join. */
 export function joiningLetters(pieces: readonly Piece[]): string[] {
-  return joinOrder(pieces).map(({ piece }) => pieceLetter(pieces[piece]!.id));
+  return joinOrder(pieces).map(({ piece }) => pieces[piece]!.name);
 }
 
 // Finer steps would change the words in nearly every frame, which costs as much as the picture.
@@ -31,7 +30,7 @@ export function folded(time: number, letters: readonly string[]): string {
 
 /** A warning where pieces are shown that may not fold like this; empty if all do. */
 export function doubts(pieces: readonly Piece[]): string {
-  const letters = pieces.filter(({ motion }) => !motion).map(({ id }) => pieceLetter(id));
+  const letters = pieces.filter(({ motion }) => !motion).map(({ name }) => name);
   if (letters.length === 0) return '';
   const subject =
     letters.length === pieces.length

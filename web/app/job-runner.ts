@@ -2,7 +2,7 @@ import { runJob, type TimedResult } from '../core/client.js';
 import { engineDied, JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Pool } from '../core/pool.js';
-import type { JobOptions } from '../model/job.js';
+import type { JobOptions, JobStart } from '../model/job.js';
 import type { ModelFile } from './model-file.js';
 
 /** How a run ended. `crashed`: the worker failed, not the model. */
@@ -27,11 +27,12 @@ export class JobRunner {
     this.abort?.abort();
   }
 
-  /** Runs a job to its end; never rejects. */
+  /** Runs a job to its end, if there is a `start` from an earlier result; never rejects. */
   async run(
     model: ModelFile,
     options: JobOptions,
     onEvent: (event: TimedEvent) => void,
+    start?: JobStart,
   ): Promise<Outcome> {
     this.cancel();
     const abort = new AbortController();
@@ -44,7 +45,7 @@ export class JobRunner {
       best = { ...event.best, seconds: event.seconds };
     };
     try {
-      const run = { signal, onEvent: hear, pictures: true };
+      const run = { signal, onEvent: hear, pictures: true, ...(start && { start }) };
       const result = await runJob(this.pool, model.bytes, model.name, options, run);
       return { type: 'done', result };
     } catch (error) {

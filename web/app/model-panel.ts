@@ -20,10 +20,17 @@ export class ModelPanel {
   private readonly picture = find('#model-picture', HTMLElement);
   private readonly note = find('#model-note', HTMLElement);
   private readonly name = find('#model-name', HTMLElement);
-  private readonly view = modelView(this.picture, (failure) => this.excuse(excuses[failure]));
+  private readonly view = modelView(
+    this.picture,
+    (failure) => this.excuse(excuses[failure]),
+    (part) => this.onPick(part),
+  );
   private readonly folding = new FoldingPanel((time) => this.view.tell({ type: 'time', time }));
   /** Of the model that is shown. */
   private faceCount = 0;
+
+  /** @param onPick is told the part of the model that was clicked */
+  constructor(private readonly onPick: (part: number) => void) {}
 
   /** Loads what draws, so that the page appears without it. */
   prepare(): void {
@@ -52,6 +59,11 @@ export class ModelPanel {
   /** Colours the faces by their parts. */
   paint(labels: Int32Array): void {
     this.view.tell({ type: 'labels', labels });
+  }
+
+  /** Lets parts stand out from all others, unless there are none. */
+  select(parts: number[]): void {
+    this.view.tell({ type: 'selected', parts });
   }
 
   hatch(hatched: boolean): void {

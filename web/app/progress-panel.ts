@@ -25,8 +25,10 @@ export class ProgressPanel {
     return this.card.contains(document.activeElement);
   }
 
-  /** Starts anew for a model. */
-  begin(modelName: string): void {
+  /** Starts anew for a model, in its own place or in another one. */
+  begin(modelName: string, place?: HTMLElement): void {
+    if (place) place.append(this.card);
+    else this.announcement.before(this.card);
     this.state = new ProgressWords();
     this.model.textContent = modelName;
     this.card.hidden = false;

@@ -5,6 +5,7 @@ const stageWords: Readonly<Record<Stage, string>> = {
   learn: 'Learning which faces unfold well together',
   cluster: 'Choosing the parts',
   search: 'Laying the parts flat',
+  compact: 'Making room for flaps',
   paper: 'Placing the pieces on sheets',
 };
 

@@ -1,15 +1,24 @@
 import type { TimedResult } from '../core/client.js';
+import type { JobResult, Notice } from '../model/job.js';
 import { find, make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import type { Wishes } from './options-form.js';
-import { leadSentence, netRemarks, repairRemarks, resultFacts } from './result-words.js';
+import type { ModelFile } from './model-file.js';
+import {
+  leadSentence,
+  netRemarks,
+  noticeRemarks,
+  repairRemarks,
+  resultFacts,
+} from './result-words.js';
+import type { PrintPanel } from './print-panel.js';
 import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
 import type { StepsPanel } from './steps-panel.js';
 
 /** A finished run: what was asked for and what came out. */
 export interface FinishedRun {
-  fileName: string;
+  model: ModelFile;
   wishes: Wishes;
   result: TimedResult;
 }
@@ -33,14 +42,19 @@ export class ResultPanel {
   private readonly facts = find('#facts', HTMLElement);
   private readonly remarks = find('#remarks', HTMLElement);
 
-  /** Counts results, so that a later one is not replaced by one that took longer to draw. */
+  /** What is on the page, and what writes it. */
+  private shownRun: { run: FinishedRun; writer: ResultWriter } | null = null;
+  /** Counts results and looks, so that a later one is not replaced by one that took longer to draw. */
   private turns = 0;
 
   constructor(
     private readonly downloads: DownloadBar,
     private readonly sheets: SheetList,
     private readonly steps: StepsPanel,
-  ) {}
+    private readonly print: PrintPanel,
+  ) {
+    print.onChange = () => void this.redraw();
+  }
 
   /** Whether there is a result on the page. */
   get shown(): boolean {
@@ -71,16 +85,19 @@ export class ResultPanel {
    * Replaces the result on the page, but for all sheets after the first; returns its one-sentence
    * summary, or null if a later result was quicker to draw.
    */
-  async show({ fileName, wishes, result }: FinishedRun): Promise<string | null> {
+  async show(run: FinishedRun): Promise<string | null> {
+    const { model, wishes, result } = run;
     const turn = ++this.turns;
-    const name = stem(fileName);
-    const writer = new ResultWriter({ result, name, margin: wishes.job.margin });
+    const name = stem(model.name);
+    const source = { result, name, margin: wishes.job.margin };
+    const writer = new ResultWriter(source, this.print.read());
     const sheets = await this.sheets.draw(result, writer);
+    const notices = await writer.notices();
     if (turn !== this.turns) {
       writer.close();
       return null;
     }
-    this.sheets.show(sheets);
+    this.sheets.show(sheets, result);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;
     this.lead.textContent = lead;
@@ -89,18 +106,38 @@ export class ResultPanel {
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
       ),
     );
-    const remarks = [
-      ...remarkList('Repaired before unfolding', repairRemarks(result)),
-      ...remarkList('Worth knowing', netRemarks(result)),
-    ];
-    this.remarks.replaceChildren(...remarks);
-    this.remarks.hidden = remarks.length === 0;
+    this.tell(result, notices);
     this.downloads.offer(writer);
     this.steps.offer(result.pieces);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
     this.panel.hidden = false;
+    this.shownRun = { run, writer };
     return lead;
+  }
+
+  /** Draws the sheets once more, as the print options are now. */
+  private async redraw(): Promise<void> {
+    const shown = this.shownRun;
+    if (!shown) return;
+    const turn = ++this.turns;
+    const { run, writer } = shown;
+    writer.options = this.print.read();
+    const sheets = await this.sheets.draw(run.result, writer);
+    const notices = await writer.notices();
+    if (turn !== this.turns) return;
+    this.sheets.replace(sheets);
+    this.tell(run.result, notices);
+  }
+
+  /** The report in words. */
+  private tell(result: JobResult, notices: readonly Notice[]): void {
+    const remarks = [
+      ...remarkList('Repaired before unfolding', repairRemarks(result)),
+      ...remarkList('Worth knowing', [...netRemarks(result), ...noticeRemarks(notices)]),
+    ];
+    this.remarks.replaceChildren(...remarks);
+    this.remarks.hidden = remarks.length === 0;
   }
 
   /** Adds the other sheets. */

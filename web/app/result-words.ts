@@ -1,7 +1,6 @@
 import type { TimedResult } from '../core/client.js';
-import type { JobResult, Model } from '../model/job.js';
+import type { FlapCounts, JobResult, Model, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -56,15 +55,18 @@ function duration(seconds: number): string {
 /** Width and height of the piece with the smallest box, and its letter. */
 function smallestPiece({ pieces }: JobResult): string {
   const [smallest] = [...pieces].sort((a, b) => a.width * a.height - b.width * b.height);
-  const { id, width, height } = smallest!;
-  return `${pieceLetter(id)}, ${Math.round(width)} × ${Math.round(height)} mm`;
+  const { name, width, height } = smallest!;
+  return `${name}, ${Math.round(width)} × ${Math.round(height)} mm`;
 }
 
-/** How many seams have a flap. */
-function flapWords({ flaps: { wanted, full, shrunk } }: JobResult): string {
-  if (wanted === 0) return 'none';
-  const words = `on ${full + shrunk} of ${count(wanted, 'seam')}`;
-  return shrunk === 0 ? words : `${words}, ${shrunk} of them narrow`;
+/** How many seams have a flap, and what joins the others. */
+function flapWords({ flaps: { wanted, full, shrunk, strips, taped } }: JobResult): string {
+  const words: string[] = [];
+  if (wanted > 0) words.push(`on ${full + shrunk} of ${count(wanted, 'seam')}`);
+  if (shrunk > 0) words.push(`${shrunk} of them narrow`);
+  if (strips > 0) words.push(count(strips, 'loose strip'));
+  if (taped > 0) words.push(`${taped} to be taped`);
+  return words.length > 0 ? words.join(', ') : 'none';
 }
 
 /** How many seams have their number at both sides. */
@@ -92,11 +94,65 @@ export function repairRemarks({ repairs }: JobResult): string[] {
   return repairs.map(({ text }) => sentence(text));
 }
 
-/** What a person should know about the nets. */
-export function netRemarks({ pieces, notices }: JobResult): string[] {
-  const overlapping = pieces.filter(({ overlaps }) => overlaps > 0);
+/** Why seams have no flap, with what that means. */
+const missWords: Readonly<Record<keyof FlapCounts['missing'], string>> = {
+  narrow: 'in wedges too narrow for one',
+  thin: 'where the neighbouring face is too thin to hide one',
+  blocked: 'where something else of the piece is in the way',
+  short: 'too short for one',
+};
+
+/** The seams without a flap, by why there is none. */
+function flapRemarks({ flaps: { missing, missing_mm, wanted_mm } }: JobResult): string[] {
+  const classes = (Object.keys(missWords) as (keyof typeof missing)[]).filter(
+    (name) => missing[name] > 0,
+  );
+  if (classes.length === 0) return [];
+  const all = classes.reduce((sum, name) => sum + missing[name], 0);
+  const reasons = classes.map((name) => `${missing[name]} ${missWords[name]}`);
+  const share = Math.round((100 * missing_mm) / wanted_mm);
   return [
-    ...overlapping.map(({ id }) => `Piece ${pieceLetter(id)} overlaps itself.`),
-    ...notices.map(({ text }) => sentence(text)),
+    `No flap on ${count(all, 'seam')}: ${reasons.join(', ')}. That is ${share} % of the length of all ` +
+      'seams; close them with tape or strips of paper from inside.',
   ];
+}
+
+/** Numbers as people list them: 3, 5 to 7, 12. */
+function numberList(numbers: readonly number[]): string {
+  const runs: [from: number, to: number][] = [];
+  for (const number of numbers) {
+    const last = runs.at(-1);
+    if (last && number === last[1] + 1) last[1] = number;
+    else runs.push([number, number]);
+  }
+  return runs
+    .map(([from, to]) =>
+      from === to ? `${from}` : to === from + 1 ? `${from}, ${to}` : `${from} to ${to}`,
+    )
+    .join(', ');
+}
+
+/** The seams without a number at one side at least. */
+function idRemarks({ ids: { skipped } }: JobResult): string[] {
+  if (skipped.length === 0) return [];
+  const numbers = numberList(Array.from(skipped).sort((a, b) => a - b));
+  return [
+    `No room for a readable number at both sides of ${count(skipped.length, 'seam')}: ${numbers}.`,
+  ];
+}
+
+/** What a person should know about the nets. */
+export function netRemarks(result: JobResult): string[] {
+  const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
+  return [
+    ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
+    ...noticeRemarks(result.notices),
+    ...flapRemarks(result),
+    ...idRemarks(result),
+  ];
+}
+
+/** Notices as sentences. */
+export function noticeRemarks(notices: readonly Notice[]): string[] {
+  return notices.map(({ text }) => sentence(text));
 }

@@ -1,5 +1,7 @@
-import type { ExportedFile, ExportInput } from './exporters.js';
-import type { WriterAnswer, WriterInput, WriterOrder } from './writer-worker.js';
+import type { Notice } from '../model/job.js';
+import type { PrintOptions } from '../model/print-options.js';
+import type { ExportedFile } from './exporters.js';
+import type { WriterAnswer, WriterInput, WriterOrder, WriterSource } from './writer-worker.js';
 
 /**
  * Writes one result, in a worker, because thousands of faces would keep the page for too long. The
@@ -10,16 +12,25 @@ export class ResultWriter {
   /** Ends the waiting for whatever the present worker has not written yet. */
   private end = new AbortController();
 
-  constructor(private readonly input: ExportInput) {}
+  /** @param options how the sheets look; may be changed between orders */
+  constructor(
+    private readonly source: WriterSource,
+    public options: PrintOptions,
+  ) {}
 
   /** One sheet, counted from 0, as SVG. */
   sheet(sheet: number): Promise<string> {
-    return this.order({ type: 'sheet', sheet });
+    return this.order({ type: 'sheet', sheet, options: this.options });
   }
 
   /** All sheets in a format: pdf, svg, fold or glb. */
   file(format: string): Promise<ExportedFile> {
-    return this.order({ type: 'file', format });
+    return this.order({ type: 'file', format, options: this.options });
+  }
+
+  /** What a person should know of the sheets beside what the job told. */
+  notices(): Promise<Notice[]> {
+    return this.order({ type: 'notices', options: this.options });
   }
 
   /** Ends the worker; what was asked for and has not come is rejected. */
@@ -49,7 +60,7 @@ export class ResultWriter {
   private start(): Worker {
     const worker = new Worker(new URL('./writer-worker.ts', import.meta.url), { type: 'module' });
     worker.addEventListener('error', ({ message }) => this.close(message));
-    const first: WriterInput = { type: 'input', input: this.input };
+    const first: WriterInput = { type: 'input', source: this.source };
     worker.postMessage(first);
     return worker;
   }

@@ -1,6 +1,5 @@
-import type { JobResult } from '../model/job.js';
+import type { JobResult, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture } from '../view/sheet-picture.js';
@@ -13,10 +12,7 @@ import type { MarksBySheet } from './step-marks.js';
 function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
   const pieces = result.pieces.filter((piece) => piece.sheet === index);
   const paints = new Map(
-    pieces.map(({ id, part }) => [
-      pieceLetter(id),
-      { colour: partColour(part), hatch: partHatch(part) },
-    ]),
+    pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
   );
   const number = `Sheet ${index + 1} of ${result.sheets.length}`;
   const names = [...paints.keys()].join(', ');
@@ -32,11 +28,20 @@ export class SheetList {
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
+  private pieces: readonly Piece[] = [];
+  private marks: MarksBySheet = new Map();
+  private selected: readonly number[] = [];
 
-  constructor() {
+  /** @param onPick is told the part of the piece that was clicked */
+  constructor(onPick: (part: number) => void) {
     this.zoom.addEventListener('input', () => this.resize());
     // On a small screen a sheet is at first as wide as there is room.
     this.zoom.value = String(Math.min(this.zoom.valueAsNumber, window.innerWidth - 32));
+    this.list.addEventListener('click', ({ target }) => {
+      const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
+      const picked = this.pieces.find(({ name }) => name === area);
+      if (picked) onPick(picked.part);
+    });
   }
 
   /** Draws all sheets with the exporter that also writes the files: screen and paper agree. */
@@ -52,8 +57,10 @@ export class SheetList {
   }
 
   /** Puts the first of the sheets that were drawn in the place of those before. */
-  show(sheets: HTMLLIElement[]): void {
+  show(sheets: HTMLLIElement[], { pieces }: JobResult): void {
     this.sheets = sheets;
+    this.pieces = pieces;
+    this.marks = new Map();
     this.list.replaceChildren(...sheets.slice(0, 1));
     this.coming = sheets.slice(1);
     this.resize();
@@ -67,12 +74,35 @@ export class SheetList {
     }
   }
 
+  /** Puts sheets of the same result that look otherwise in the place of those on the page. */
+  replace(sheets: HTMLLIElement[]): void {
+    this.sheets = sheets;
+    this.coming = [];
+    this.list.replaceChildren(...sheets);
+    this.mark(this.marks);
+    this.select(this.selected);
+  }
+
   /** Marks lines on the sheets, in place of those that were marked before. */
   mark(marks: MarksBySheet): void {
+    this.marks = marks;
     this.sheets.forEach((sheet, index) => {
       const svg = sheet.querySelector('svg');
       if (svg) markSheet(svg, marks.get(index) ?? []);
     });
+  }
+
+  /** Lets parts stand out from all others, unless there are none. */
+  select(parts: readonly number[]): void {
+    this.selected = parts;
+    this.list.toggleAttribute('data-selecting', parts.length > 0);
+    const chosen = this.pieces.filter(({ part }) => parts.includes(part));
+    const letters = new Set(chosen.map(({ name }) => name));
+    for (const sheet of this.sheets) {
+      for (const area of sheet.querySelectorAll<SVGElement>('[data-area]')) {
+        area.toggleAttribute('data-selected', letters.has(area.dataset['area'] ?? ''));
+      }
+    }
   }
 
   private resize(): void {

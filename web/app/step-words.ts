@@ -1,6 +1,5 @@
 import type { AssemblyStep } from '../model/assembly-steps.js';
 import type { Piece } from '../model/job.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { listed } from './folding-words.js';
 
 function count(number: number, noun: string): string {
@@ -28,7 +27,7 @@ export function stepWords(step: AssemblyStep, pieces: readonly Piece[]): string 
   if (seams.length > 1)
     sentences.push(`Close its ${seams.length} seams in the order of their numbers.`);
   if (borders.length > 0) {
-    const letters = partners.map((piece) => pieceLetter(pieces[piece]!.id));
+    const letters = partners.map((piece) => pieces[piece]!.name);
     sentences.push(`Glue it to ${listed(letters)} along ${count(borders.length, 'edge')}.`);
   }
   return sentences.join(' ');

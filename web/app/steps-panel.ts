@@ -1,7 +1,6 @@
 import { assemblySteps, type AssemblyStep } from '../model/assembly-steps.js';
 import { flightTimes } from '../model/choreography.js';
 import type { Piece } from '../model/job.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { find, make } from './dom.js';
 import { stepMarks, type MarksBySheet } from './step-marks.js';
 import { stepWords } from './step-words.js';
@@ -41,7 +40,7 @@ export class StepsPanel {
   }
 
   private button(step: AssemblyStep, rank: number): HTMLButtonElement {
-    const letter = pieceLetter(this.pieces[step.piece]!.id);
+    const letter = this.pieces[step.piece]!.name;
     const name = make('strong', { textContent: `Piece ${letter}:` });
     const words = ` ${stepWords(step, this.pieces)}`;
     const button = make('button', { type: 'button', className: 'step' }, name, words);

@@ -1,4 +1,7 @@
 import type { Pool } from '../core/pool.js';
+import type { TimedEvent } from '../core/protocol.js';
+import { startFrom } from '../model/edits.js';
+import type { JobResult } from '../model/job.js';
 import { missingSupport } from './browser-support.js';
 import { find } from './dom.js';
 import { DownloadBar } from './download-bar.js';
@@ -8,8 +11,11 @@ import { JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Wishes } from './options-form.js';
+import { PartsPanel, type Change } from './parts-panel.js';
+import { PrintPanel } from './print-panel.js';
 import { ProgressPanel } from './progress-panel.js';
 import { type FinishedRun, ResultPanel } from './result-panel.js';
+import { RunHistory } from './run-history.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
@@ -19,6 +25,12 @@ import { Workshop } from './workshop.js';
 /** Ms after the page is complete: its pictures shall be there first. */
 const preparation = 300;
 
+/** Parts of the later result that have faces of what a change of the earlier one named. */
+function touched(before: JobResult, after: JobResult, { edits }: Change): number[] {
+  const named = new Set(edits.flatMap(({ parts }) => parts));
+  return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]!)))];
+}
+
 /** Ties the parts of the page together: a choice starts a run, a run ends in a result or a message. */
 export class Studio {
   private readonly runner: JobRunner;
@@ -26,8 +38,10 @@ export class Studio {
   private readonly form = new OptionsForm(() => void this.unfold());
   private readonly gallery = new SampleGallery((model) => void this.choose(model));
   private readonly progress = new ProgressPanel(() => this.runner.cancel());
-  private readonly workshop = new Workshop();
+  private readonly workshop: Workshop;
   private readonly result: ResultPanel;
+  private readonly parts: PartsPanel;
+  private readonly history = new RunHistory();
   private readonly chosen = find('#chosen', HTMLElement);
   private readonly welcome = find('#welcome', HTMLElement);
   private model: ModelFile | null = null;
@@ -39,12 +53,22 @@ export class Studio {
     const downloads = new DownloadBar((format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
     );
-    const sheets = new SheetList();
+    const pick = (part: number): void => this.parts.toggle(part);
+    const sheets = new SheetList(pick);
+    this.workshop = new Workshop(pick);
+    this.parts = new PartsPanel({
+      select: (parts) => {
+        this.workshop.select(parts);
+        sheets.select(parts);
+      },
+      change: (change) => void this.change(change),
+      undo: () => void this.undo(),
+    });
     const steps = new StepsPanel({
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    this.result = new ResultPanel(downloads, sheets, steps);
+    this.result = new ResultPanel(downloads, sheets, steps, new PrintPanel());
     new HatchSwitch((hatched) => this.workshop.hatch(hatched));
   }
 
@@ -85,6 +109,7 @@ export class Studio {
     this.welcome.hidden = true;
     this.progress.begin(model.name);
     this.workshop.begin(model.name);
+    this.parts.changing = true;
     const outcome = await this.runner.run(model, wishes.job, (event) => {
       this.progress.follow(event);
       this.workshop.follow(event);
@@ -93,12 +118,13 @@ export class Studio {
     });
     // A later run has ended this one and taken over the panels.
     if (this.runner.running) return;
+    this.parts.changing = false;
     await this.finish(outcome, model, wishes);
   }
 
-  private async finish(outcome: Outcome, { name }: ModelFile, wishes: Wishes): Promise<void> {
+  private async finish(outcome: Outcome, model: ModelFile, wishes: Wishes): Promise<void> {
     if (outcome.type === 'done') {
-      const lead = await this.present({ fileName: name, wishes, result: outcome.result });
+      const lead = await this.presentNew({ model, wishes, result: outcome.result });
       if (lead === null) return;
       const { hasFocus } = this.progress;
       this.progress.end(`Done: ${lead}`);
@@ -110,7 +136,7 @@ export class Studio {
       this.leave('Cancelled. This is how far it came.', 'Cancelled.');
       // A whole result is worth more than a part of the next one.
       if (!outcome.best || this.result.exists) return;
-      const lead = await this.present({ fileName: name, wishes, result: outcome.best });
+      const lead = await this.presentNew({ model, wishes, result: outcome.best });
       if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
       return;
     }
@@ -118,7 +144,52 @@ export class Studio {
     const next = outcome.crashed
       ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
       : 'Choose another model, or repair this one and try again.';
-    this.message.show(`“${name}” could not be unfolded`, sentence(outcome.text), next);
+    this.message.show(`“${model.name}” could not be unfolded`, sentence(outcome.text), next);
+  }
+
+  /** Changes parts of the result; what comes out takes its place. */
+  private async change(change: Change): Promise<void> {
+    const before = this.history.current;
+    if (!before || this.runner.running) return;
+    const { model, wishes, result } = before;
+    this.message.clear();
+    this.parts.changing = true;
+    this.progress.begin(model.name, this.parts.progress);
+    const follow = (event: TimedEvent): void => this.progress.follow(event);
+    const start = startFrom(result, change.edits);
+    const outcome = await this.runner.run(model, wishes.job, follow, start);
+    if (this.runner.running) return;
+    this.parts.changing = false;
+    if (this.progress.hasFocus) this.parts.focus();
+    if (outcome.type === 'done') {
+      const run = { model, wishes, result: outcome.result };
+      this.history.add(run, change.words);
+      const lead = await this.present(run, touched(result, outcome.result, change));
+      if (lead !== null) this.progress.end(`Done: ${lead}`);
+      else if (!this.runner.running) this.history.back();
+      return;
+    }
+    this.progress.end(outcome.type === 'cancelled' ? 'Cancelled. All is as it was.' : '');
+    if (outcome.type === 'failed') {
+      this.message.show('Nothing was changed', sentence(outcome.text));
+    }
+  }
+
+  /** Takes the last change back. */
+  private async undo(): Promise<void> {
+    if (this.runner.running) return;
+    const run = this.history.back();
+    if (!run) return;
+    this.message.clear();
+    this.parts.focus();
+    const lead = await this.present(run);
+    if (lead !== null) this.progress.end(`Undone: ${lead}`);
+  }
+
+  /** Shows a result that was not made of the one before. */
+  private presentNew(run: FinishedRun): Promise<string | null> {
+    this.history.begin(run);
+    return this.present(run);
   }
 
   /** Ends a run without a result: keeps its pictures with a note, or shows what was there before. */
@@ -134,17 +205,23 @@ export class Studio {
   /**
    * Shows nets and model; null if they could not be drawn, or if a run has begun meanwhile, whose
    * panels these are then.
+   *
+   * @param selected parts that are chosen at first
    */
-  private async present(run: FinishedRun): Promise<string | null> {
+  private async present(run: FinishedRun, selected: number[] = []): Promise<string | null> {
     const lead = await this.result.show(run).catch((error: unknown) => {
       console.error(error);
       if (this.runner.running) return null;
       this.leave('The nets were found, but not drawn.', '');
-      this.message.show(`The sheets of “${run.fileName}” could not be drawn`, 'Try it once more.');
+      this.message.show(
+        `The sheets of “${run.model.name}” could not be drawn`,
+        'Try it once more.',
+      );
       return null;
     });
     if (lead === null || this.runner.running) return null;
     this.workshop.finish(run.result);
+    this.parts.offer(run.result, this.history.undo, selected);
     await this.result.complete();
     return this.runner.running ? null : lead;
   }

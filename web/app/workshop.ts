@@ -14,13 +14,18 @@ export class Workshop {
   private readonly views = find('#workshop-views', HTMLElement);
   private readonly note = find('#workshop-note', HTMLElement);
   private readonly pictures = find('#pictures', HTMLElement);
-  private readonly model = new ModelPanel();
+  private readonly model: ModelPanel;
   private readonly matrix = new MatrixPanel();
   private readonly net = new NetPanel();
   private readonly chart = new ChartPanel();
   private modelName = '';
   /** Whether the pictures are of the present run. */
   private open = false;
+
+  /** @param onPick is told the part of the model that was clicked */
+  constructor(onPick: (part: number) => void) {
+    this.model = new ModelPanel(onPick);
+  }
 
   /** Whether a run that ended without a result has left something to see. */
   get shown(): boolean {
@@ -87,6 +92,11 @@ export class Workshop {
   /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
   fold(time: number): void {
     this.model.fold(time);
+  }
+
+  /** Lets parts of the finished model stand out from all others, unless there are none. */
+  select(parts: number[]): void {
+    this.model.select(parts);
   }
 
   /** Draws the parts with hatches, or without. */

@@ -1,8 +1,10 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
+import type { Edit } from '../model/job.js';
+import { merge, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
 import { laterRows, rows, sizings, type Row, type Settings } from './options.js';
-import { BadValue } from './values.js';
+import { BadValue, type Parser } from './values.js';
 
 /** What a command line asks for. */
 export interface Commands {
@@ -11,9 +13,19 @@ export interface Commands {
   report: string | null;
   quiet: boolean;
   settings: Settings;
+  /** What is to be changed in the parts that come out. */
+  edits: Edit[];
+  /** The same, as it was written. */
+  editWords: EditWords;
 }
 
-interface Flags {
+/** Values of the options that change parts. */
+export interface EditWords {
+  split: string[];
+  merge: string[];
+}
+
+interface Flags extends Partial<EditWords> {
   output?: string[];
   report?: string;
   quiet?: boolean;
@@ -23,22 +35,26 @@ function laterError(name: string): Exit {
   return usageError(`option '--${name}' does not exist in this version yet`);
 }
 
-function parserOf(name: string, { parse }: Row<unknown>): (text: string) => unknown {
-  return (text) => {
-    try {
-      return parse(text);
-    } catch (error) {
-      if (!(error instanceof BadValue)) throw error;
-      throw usageError(`option '--${name}': '${text}' ${error.message}`);
-    }
-  };
+/** @throws Exit for a value that the parser does not take */
+function parsed<Value>(name: string, parse: Parser<Value>, text: string): Value {
+  try {
+    return parse(text);
+  } catch (error) {
+    if (!(error instanceof BadValue)) throw error;
+    throw usageError(`option '--${name}': '${text}' ${error.message}`);
+  }
+}
+
+/** For an option that may be given several times. */
+function collect(text: string, texts: string[] = []): string[] {
+  return [...texts, text];
 }
 
 function addRows(program: Command): void {
   for (const [name, row] of Object.entries<Row<unknown>>(rows)) {
     const option = new Option(`--${name} <${row.value}>`, row.help)
       .default(row.parse(row.fallback), row.fallback)
-      .argParser(parserOf(name, row));
+      .argParser((text) => parsed(name, row.parse, text));
     program.addOption(option);
   }
   for (const [name, { value }] of Object.entries(laterRows)) {
@@ -54,9 +70,15 @@ function describe(): Command {
     .option(
       '-o, --output <file>',
       'write a .fold, .svg, .pdf or .glb file; may be given several times',
-      (file: string, files: string[] = []) => [...files, file],
+      collect,
     )
     .option('--report <file>', 'write a report as JSON')
+    .option(
+      '--split <part[:k]>',
+      'split this part of what comes out, counted from 1, into k (2) parts; may be given several times',
+      collect,
+    )
+    .option('--merge <a,b>', 'merge these parts that touch; may be given several times', collect)
     .option('--quiet', 'no progress on stderr; errors stay')
     .version(version)
     .exitOverride()
@@ -105,12 +127,18 @@ export function parseCommandLine(args: string[]): Commands {
     throw usageError(error.message.replace(/^error: /, ''));
   }
   refuseLater(program);
-  const { output = [], report, quiet = false } = program.opts<Flags>();
+  const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
+  const editWords = { split: words.split ?? [], merge: words.merge ?? [] };
   return {
     model: program.args[0]!,
     outputs: output,
     report: report ?? null,
     quiet,
     settings: settingsOf(program),
+    edits: [
+      ...editWords.split.map((text) => parsed('split', split, text)),
+      ...editWords.merge.map((text) => parsed('merge', merge, text)),
+    ],
+    editWords,
   };
 }

@@ -1,40 +1,31 @@
-import { basename, extname } from 'node:path';
+import { extname } from 'node:path';
 import type { JobResult } from '../model/job.js';
 import { writeFold } from '../export/fold.js';
 import { writeGlb } from '../export/glb.js';
+import type { Print } from '../export/print.js';
 import { sheetName } from '../export/sheet-name.js';
 import { writeSvg } from '../export/svg.js';
 import { usageError } from './exit.js';
-import type { Commands } from './command-line.js';
 import type { OutputFile } from './write-files.js';
 
 type Renderer = (
   path: string,
   result: JobResult,
-  commands: Commands,
+  print: Print,
 ) => OutputFile[] | Promise<OutputFile[]>;
 
-function renderSvg(path: string, result: JobResult, { settings }: Commands): OutputFile[] {
-  const count = result.sheets.length;
-  return result.sheets.map((_, sheet) => ({
+function renderSvg(path: string, _result: JobResult, print: Print): OutputFile[] {
+  const count = print.sheets.length;
+  return print.sheets.map((_, sheet) => ({
     path: sheetName(path, sheet, count),
-    content: writeSvg(result, sheet, { flatFold: settings['flat-fold'] }),
+    content: writeSvg(print, sheet),
   }));
 }
 
-async function renderPdf(
-  path: string,
-  result: JobResult,
-  { model, settings }: Commands,
-): Promise<OutputFile[]> {
+async function renderPdf(path: string, _result: JobResult, print: Print): Promise<OutputFile[]> {
   // Most of the program's size, and most runs do without.
   const { writePdf } = await import('../export/pdf.js');
-  const content = await writePdf(result, {
-    title: basename(model, extname(model)),
-    margin: settings.margin,
-    flatFold: settings['flat-fold'],
-  });
-  return [{ path, content }];
+  return [{ path, content: await writePdf(print) }];
 }
 
 const renderers: Record<string, Renderer> = {
@@ -62,10 +53,14 @@ export function checkFormat(path: string): void {
 }
 
 /** All files of all outputs, not yet written. */
-export async function renderOutputs(commands: Commands, result: JobResult): Promise<OutputFile[]> {
+export async function renderOutputs(
+  outputs: string[],
+  result: JobResult,
+  print: Print,
+): Promise<OutputFile[]> {
   const files: OutputFile[] = [];
-  for (const path of commands.outputs) {
-    files.push(...(await renderers[formatOf(path)]!(path, result, commands)));
+  for (const path of outputs) {
+    files.push(...(await renderers[formatOf(path)]!(path, result, print)));
   }
   return files;
 }

@@ -3,8 +3,8 @@ import { engineDied } from '../core/job-error.js';
 import { Exit, exitStatus, usageError } from './exit.js';
 import { modelError } from './read-model-file.js';
 
-/** Codes with which the engine blames the options and not the model. */
-const optionCodes = ['bad-option', 'bad-margin'];
+/** Codes with which the engine blames what was asked for and not the model. */
+const optionCodes = ['bad-option', 'bad-margin', 'bad-edit'];
 
 /** Codes of faults in the engine itself. */
 const internalCodes = ['internal', engineDied];

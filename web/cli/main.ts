@@ -1,14 +1,19 @@
-import { basename, resolve } from 'node:path';
+import { basename, extname, resolve } from 'node:path';
 import { version } from '../../package.json';
-import { runJob, type TimedResult } from '../core/client.js';
+import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
 import { nodePool } from '../core/node-pool.js';
+import type { TimedEvent } from '../core/protocol.js';
+import { preparePrint, type Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import { startFrom } from '../model/edits.js';
+import { addSeconds } from '../model/stage-seconds.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
+import { readFontFile } from './font-file.js';
 import { checkFormat, renderOutputs } from './formats.js';
 import { exitOf } from './job-failure.js';
-import { echo, jobOptions } from './options.js';
+import { echo, jobOptions, printOptions } from './options.js';
 import { Progress } from './progress.js';
 import { readModelFile } from './read-model-file.js';
 import { summarize } from './summary.js';
@@ -26,15 +31,32 @@ function checkOutputs({ model, outputs, report }: Commands): void {
   paths.forEach(checkWritable);
 }
 
+/** A result, with what went into the one that it was made of. */
+function together(before: TimedResult, result: TimedResult): TimedResult {
+  const { generations, moves } = before.search;
+  return {
+    ...result,
+    search: {
+      generations: generations + result.search.generations,
+      moves: moves + result.search.moves,
+    },
+    seconds: addSeconds(before.seconds, result.seconds),
+  };
+}
+
 /** Runs the job in workers, so that this thread hears signals at once. */
 async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedResult> {
-  const { model, quiet, settings } = commands;
+  const { edits, model, quiet, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
   const progress = quiet ? null : new Progress(process.stderr);
+  const hear = (event: TimedEvent): void => progress?.hear(event);
+  const run = (options: RunOptions): Promise<TimedResult> =>
+    runJob(pool, bytes, basename(model), jobOptions(settings), options);
   try {
-    return await runJob(pool, bytes, basename(model), jobOptions(settings), {
-      onEvent: (event) => progress?.hear(event),
-    });
+    if (edits.length === 0) return await run({ onEvent: hear });
+    // Nobody needs to know what is wrong with a result that is still to be changed.
+    const before = await run({ onEvent: (event) => event.type === 'notice' || hear(event) });
+    return together(before, await run({ onEvent: hear, start: startFrom(before, edits) }));
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
@@ -43,18 +65,30 @@ async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedRe
   }
 }
 
+function layOut({ model, settings }: Commands, result: TimedResult): Promise<Print> {
+  return preparePrint({
+    result,
+    title: basename(model, extname(model)),
+    margin: settings.margin,
+    options: printOptions(settings),
+    loadFont: readFontFile,
+  });
+}
+
 function renderReport(
-  { report, settings }: Commands,
+  { editWords, report, settings }: Commands,
   written: OutputFile[],
   result: TimedResult,
+  print: Print,
 ): OutputFile[] {
   if (report === null) return [];
   const content = makeReport({
     version,
-    options: echo(settings),
+    options: { ...echo(settings), ...editWords },
     job: jobOptions(settings),
     files: [...written.map(({ path }) => path), report],
     result,
+    printed: print.notices,
     seconds: result.seconds,
   });
   return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
@@ -64,8 +98,9 @@ async function run(args: string[]): Promise<void> {
   const commands = parseCommandLine(args);
   checkOutputs(commands);
   const result = await runEngine(commands, readModelFile(commands.model));
-  const files = await renderOutputs(commands, result);
-  files.push(...renderReport(commands, files, result));
+  const print = await layOut(commands, result);
+  const files = await renderOutputs(commands.outputs, result, print);
+  files.push(...renderReport(commands, files, result, print));
   writeFiles(files);
   if (files.length === 0) console.log(summarize(commands.model, result));
 }

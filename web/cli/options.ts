@@ -1,7 +1,18 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions } from '../model/job.js';
-import { choice, decimal, paper, whole, wordOr, type Parser } from './values.js';
+import { defaultPrint, measurable, type PrintOptions } from '../model/print-options.js';
+import {
+  choice,
+  colour,
+  dashes,
+  decimal,
+  paper,
+  pair,
+  whole,
+  wordOr,
+  type Parser,
+} from './values.js';
 
 /** An option with a value. */
 export interface Row<Value> {
@@ -24,6 +35,18 @@ function row<const Value>(
 
 // Far more than a mesh that anyone could glue; larger numbers are typing errors.
 const manyFaces = 10_000_000;
+
+// Thinner lines vanish, thicker ones hide what they mark.
+const lineWidth = decimal(0.01, 2);
+
+const width = (lines: string): Row<number | 'style'> =>
+  row('MM|style', 'style', wordOr('style', lineWidth), `width of ${lines}`);
+
+const dash = (lines: string): Row<number[] | 'style'> =>
+  row('MM,MM,..|solid|style', 'style', wordOr('style', dashes), `dashes and gaps of ${lines}`);
+
+const colourOf = (lines: string): Row<string> =>
+  row('#RRGGBB|style', 'style', wordOr('style', colour), `colour of ${lines}`);
 
 export const rows = {
   parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces)), 'number of parts'),
@@ -112,11 +135,29 @@ export const rows = {
     choice(['one', 'alternate', 'both']),
     'one: the side with more room; alternate: in turn; both',
   ),
+  'flap-borders': row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: open borders of the model get flaps as well',
+  ),
+  'glue-strips': row(
+    'NAME',
+    defaultOptions.glueStrips,
+    choice(['none', 'free', 'all']),
+    'loose strips for edges without a flap: none; free: where sheets have room; all: on further sheets, too',
+  ),
   ids: row(
     'NAME',
     defaultOptions.ids,
     choice(['inside', 'flap', 'both', 'none']),
     'where the numbers of cut edges go: inside, flap, both or none',
+  ),
+  compact: row(
+    'on|off',
+    'on',
+    choice(['on', 'off']),
+    'on: nets with room for flaps, small outlines and strong necks; off: as they were found',
   ),
   workers: row(
     'N|auto',
@@ -124,7 +165,45 @@ export const rows = {
     wordOr('auto', whole(1, 64)),
     'threads; auto: one per core, at most 4; any number gives the same result',
   ),
-  'flat-fold': row('DEG', 3, decimal(0, 180), 'folds flatter than this are not drawn'),
+  'flat-fold': row(
+    'DEG',
+    defaultPrint.flatFold,
+    decimal(0, 180),
+    'folds flatter than this are not drawn',
+  ),
+  style: row(
+    'NAME',
+    defaultPrint.style,
+    choice(['foldwright', 'pepakura', 'blender']),
+    'how lines look: foldwright, pepakura or blender',
+  ),
+  'cut-width': width('cuts'),
+  'cut-colour': colourOf('cuts'),
+  'mountain-width': width('mountain folds'),
+  'mountain-dash': dash('mountain folds'),
+  'mountain-colour': colourOf('mountain folds'),
+  'valley-width': width('valley folds'),
+  'valley-dash': dash('valley folds'),
+  'valley-colour': colourOf('valley folds'),
+  'flap-colour': row(
+    '#RRGGBB|none|style',
+    'style',
+    wordOr('style', wordOr('none', colour)),
+    'what flaps are filled with',
+  ),
+  'fold-angles': row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'print beside folds how far they fold',
+  ),
+  legend: row('on|off', 'on', choice(['on', 'off']), 'print once what lines and numbers mean'),
+  measured: row(
+    'XMM,YMM|off',
+    'off',
+    wordOr('off', pair(decimal(measurable.least, measurable.most))),
+    'what the printed rulers of 50 mm measure, across and up: corrects the printer’s scale',
+  ),
 } satisfies Record<string, Row<unknown>>;
 
 export type Settings = {
@@ -140,7 +219,6 @@ export interface LaterRow {
 }
 
 export const laterRows: Record<string, LaterRow> = {
-  style: { value: 'NAME', same: 'foldwright' },
   texture: {},
   colour: { value: 'NAME', same: 'none' },
   duplex: {},
@@ -167,12 +245,44 @@ function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
 
 function flapOptions(
   settings: Settings,
-): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle'> {
+): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle' | 'flapBorders' | 'glueStrips'> {
   const { flaps } = settings;
   return {
     flapSide: flaps === 'none' ? 'none' : settings['flap-side'],
     flapHeight: flaps === 'none' ? defaultOptions.flapHeight : flaps,
     flapAngle: settings['flap-angle'],
+    flapBorders: settings['flap-borders'] === 'on',
+    glueStrips: settings['glue-strips'],
+  };
+}
+
+/** The values among `values` that are not left to the style. */
+function given<Values extends object>(values: Values): Partial<Values> {
+  const entries = Object.entries(values).filter(([, value]) => value !== 'style');
+  return Object.fromEntries(entries) as Partial<Values>;
+}
+
+/** How the sheets shall look. */
+export function printOptions(settings: Settings): PrintOptions {
+  const kind = (width: unknown, colour: unknown, dash: unknown = 'style'): object =>
+    given({ width, colour, dash });
+  const flaps = settings['flap-colour'];
+  return {
+    style: settings.style,
+    lines: {
+      cut: kind(settings['cut-width'], settings['cut-colour']),
+      mountain: kind(
+        settings['mountain-width'],
+        settings['mountain-colour'],
+        settings['mountain-dash'],
+      ),
+      valley: kind(settings['valley-width'], settings['valley-colour'], settings['valley-dash']),
+    },
+    ...(flaps !== 'style' && { flaps }),
+    flatFold: settings['flat-fold'],
+    foldAngles: settings['fold-angles'] === 'on',
+    legend: settings.legend === 'on',
+    measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
   };
 }
 
@@ -193,7 +303,12 @@ export function jobOptions(settings: Settings): JobOptions {
     faces: faces === 'off' ? 0 : faces,
     ...sizeOptions(settings),
     ...flapOptions(settings),
+    // Edges, parts and pieces are chosen where they can be seen.
+    flapEdges: [],
+    names: [],
+    pins: [],
     ids: settings.ids,
+    compaction: settings.compact === 'on',
     unit: settings.unit,
     paperWidth: settings.paper.width,
     paperHeight: settings.paper.height,

@@ -7,6 +7,7 @@ const stageNames: Record<Stage, string> = {
   learn: 'learning from unfoldings',
   cluster: 'cutting into parts',
   search: 'searching nets',
+  compact: 'making room for flaps',
   paper: 'placing on sheets',
 };
 

@@ -48,6 +48,32 @@ export function choice<const Word extends string>(words: Word[]): Parser<Word> {
   };
 }
 
+/** Six hexadecimal digits after '#'; comes back in lower case. */
+export function colour(text: string): string {
+  if (/^#[\da-f]{6}$/i.test(text)) return text.toLowerCase();
+  throw new BadValue('is not #RRGGBB');
+}
+
+/** Two values with a comma between them. */
+export function pair<Value>(parse: Parser<Value>): Parser<[Value, Value]> {
+  return (text) => {
+    const [first, second, ...more] = text.split(',');
+    if (second !== undefined && more.length === 0) return [parse(first!), parse(second)];
+    throw new BadValue('is not two values with a comma between them');
+  };
+}
+
+// Shorter than a dot of ink, and longer than any fold of a model that fits on paper.
+const dashLength = decimal(0.05, 50);
+
+/** Lengths of dashes and gaps in turn, with commas between them; none for 'solid'. */
+export function dashes(text: string): number[] {
+  if (text === 'solid') return [];
+  const lengths = text.split(',');
+  if (lengths.length % 2 === 0) return lengths.map(dashLength);
+  throw new BadValue('is neither solid nor lengths of dashes and gaps in turn, from 0.05 to 50');
+}
+
 // Below, no sheet has room beside a margin; above, no printer or cutter takes it.
 const [leastSide, mostSide] = [20, 5000];
 

@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { copyWasm, notePackages } from '../../scripts/make/vite-plugins.mjs';
+import { copyFonts, copyWasm, notePackages } from '../../scripts/make/vite-plugins.mjs';
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -8,7 +8,7 @@ const path = (relative: string): string => fileURLToPath(new URL(relative, impor
 export default defineConfig({
   root: path('.'),
   publicDir: false,
-  plugins: [notePackages('cli'), copyWasm()],
+  plugins: [notePackages('cli'), copyWasm(), copyFonts()],
   ssr: { noExternal: true },
   build: {
     ssr: true,

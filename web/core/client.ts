@@ -1,4 +1,4 @@
-import type { JobOptions, JobResult } from '../model/job.js';
+import type { JobOptions, JobResult, JobStart } from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { engineDied, JobError } from './job-error.js';
 import { JobRun } from './job-run.js';
@@ -16,6 +16,9 @@ export interface RunOptions {
   pictures?: boolean;
   /** How long an aborted run waits for the nets found so far, in ms; 100 unless given. */
   patience?: number;
+  /** Changes an earlier result of the same file instead of starting afresh. The options that decide
+   * the mesh must be those of that result; `parts` is not read. */
+  start?: JobStart;
 }
 
 /** A result together with how long each stage took. */
@@ -28,6 +31,7 @@ interface Order {
   bytes: Uint8Array;
   fileName: string;
   options: JobOptions;
+  start: JobStart | null;
 }
 
 let lastJob = 0;
@@ -82,6 +86,6 @@ export function runJob(
 ): Promise<TimedResult> {
   return pool.inTurn(async () => {
     runOptions.signal?.throwIfAborted();
-    return runNow(pool, { bytes, fileName, options }, runOptions);
+    return runNow(pool, { bytes, fileName, options, start: runOptions.start ?? null }, runOptions);
   });
 }

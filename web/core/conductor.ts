@@ -55,9 +55,9 @@ export class Conductor {
     private readonly host: WorkerHost,
     private readonly request: RunRequest,
   ) {
-    const { bytes, fileName, options } = request;
+    const { bytes, fileName, options, start } = request;
     // The declarations allow for no job because it crosses the boundary as a pointer.
-    this.job = engine.createJob(bytes, fileName, options)!;
+    this.job = engine.createJob(bytes, fileName, options, start)!;
     this.bench = new TaskBench(engine);
     this.throttle = new EventThrottle((events) => {
       host.post({ type: 'events', job: this.number, events }, buffersOf(events));
@@ -130,10 +130,17 @@ export class Conductor {
       return true;
     }
     const task = this.desk.takeOwn();
-    if (task) this.bench.begin(this.orderFor(task, !this.bench.has(task.surface)));
+    if (task) this.begin(task);
     else if (this.desk.outCount + this.desk.waitingCount === 0) this.tell(this.job.advance());
     else return false;
     return true;
+  }
+
+  /** The job and its own tasks share one copy of a surface. */
+  private begin(task: OpenTask): void {
+    const { surface } = task;
+    if (!this.bench.has(surface)) this.bench.keep(surface, this.job.surface(surface)!);
+    this.bench.begin(this.orderFor(task, false));
   }
 
   private hear({ task, status, result }: TaskReport): void {
@@ -172,7 +179,7 @@ export class Conductor {
       task: id,
       bytes,
       surface,
-      surfaceBytes: withSurface ? this.job.surface(surface) : null,
+      surfaceBytes: withSurface ? this.job.surfaceBytes(surface) : null,
       interval: (1000 * (1 + helpers)) / reportsPerSecond,
       pictures,
     };

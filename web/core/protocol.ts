@@ -5,7 +5,7 @@
  * say, and moves the bytes without looking at them. Jobs and workers are numbered by the main
  * thread, tasks and surfaces by the job.
  */
-import type { JobEvent, JobOptions } from '../model/job.js';
+import type { JobEvent, JobOptions, JobStart } from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** A task and all that is needed to run it, anywhere, to the same result. */
@@ -43,6 +43,8 @@ export interface RunRequest {
   /** Its ending tells the format. */
   fileName: string;
   options: JobOptions;
+  /** The earlier result that the job changes, if it does. */
+  start: JobStart | null;
   /** The most helpers that there can be at a time. */
   helpers: number;
   pictures: boolean;

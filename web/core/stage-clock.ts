@@ -8,6 +8,7 @@ export class StageClock {
     learn: 0,
     cluster: 0,
     search: 0,
+    compact: 0,
     paper: 0,
   };
   private stage: Stage = 'read';
@@ -31,14 +32,15 @@ export class StageClock {
 
   /** Seconds spent so far. */
   seconds(): StageSeconds {
-    const { read, learn, cluster, search, paper } = this.spent;
+    const { read, learn, cluster, search, compact, paper } = this.spent;
     return {
       read: read / 1000,
       learn: learn / 1000,
       cluster: cluster / 1000,
       search: search / 1000,
-      // No folding motion is looked for.
+      // Motions are part of the search.
       fold: 0,
+      compact: compact / 1000,
       paper: paper / 1000,
       total: this.elapsed(this.last),
     };

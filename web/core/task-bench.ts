@@ -18,15 +18,20 @@ export class TaskBench {
     return this.task !== null;
   }
 
-  /** Whether this surface has come with an earlier order. */
+  /** Whether this surface is there, so that an order need not bring it. */
   has(surface: number): boolean {
     return this.surfaces.has(surface);
+  }
+
+  /** Keeps a surface for orders to come, until the end. */
+  keep(number: number, surface: Surface): void {
+    this.surfaces.set(number, surface);
   }
 
   begin(order: TaskOrder): void {
     const { surface, surfaceBytes, bytes } = order;
     // The declarations allow for null because these cross the boundary as pointers.
-    if (surfaceBytes) this.surfaces.set(surface, this.engine.createSurface(surfaceBytes)!);
+    if (surfaceBytes) this.keep(surface, this.engine.createSurface(surfaceBytes)!);
     this.task = this.engine.createTask(this.surfaces.get(surface)!, bytes)!;
     this.order = order;
   }

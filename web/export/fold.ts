@@ -1,5 +1,4 @@
 import type { JobResult, Model, Piece } from '../model/job.js';
-import { pieceLetter } from '../model/piece-letter.js';
 
 /** Keys and values in the order in which they are written. */
 type Entries = [key: string, value: unknown][];
@@ -52,7 +51,7 @@ function motionEntries(piece: Piece): Entries {
 
 function pieceFrame(piece: Piece): Entries {
   return [
-    ['frame_title', `Piece ${pieceLetter(piece.id)}`],
+    ['frame_title', `Piece ${piece.name}`],
     ['frame_classes', ['creasePattern']],
     ['frame_attributes', ['2D']],
     ['frame_unit', 'mm'],

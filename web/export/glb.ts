@@ -5,7 +5,6 @@ import { foldTree, type FoldTree } from '../model/fold-tree.js';
 import { flatVertex } from '../model/folded-piece.js';
 import type { JobResult, Piece } from '../model/job.js';
 import { partRgb } from '../model/part-colours.js';
-import { pieceLetter } from '../model/piece-letter.js';
 import { turnAround } from '../model/pose.js';
 import { secondOf, tempoFor } from '../model/tempo.js';
 import { minus, times as scaled, type Vector } from '../model/vector.js';
@@ -67,7 +66,7 @@ class Scene {
     });
     const root = nodes[0]!;
     const { turn, move } = track.poses[0]!;
-    const name = `Piece ${pieceLetter(piece.id)}`;
+    const name = `Piece ${piece.name}`;
     Object.assign(this.nodes[root]!, { name, translation: scaled(move, metres), rotation: turn });
     this.roots.push(root);
     this.addFolds(piece, panels, nodes);

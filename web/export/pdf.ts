@@ -1,6 +1,10 @@
 import {
+  beginMarkedContent,
+  beginText,
   closePath,
-  concatTransformationMatrix,
+  endMarkedContent,
+  endText,
+  fill,
   lineTo,
   moveTo,
   PDFDocument,
@@ -9,152 +13,164 @@ import {
   pushGraphicsState,
   rgb,
   setDashPattern,
+  setFillingColor,
+  setFontAndSize,
   setLineCap,
   setLineJoin,
   setLineWidth,
   setStrokingColor,
-  StandardFonts,
+  setTextMatrix,
+  showText,
   stroke,
-  type PDFFont,
   type PDFOperator,
   type PDFPage,
 } from 'pdf-lib';
-import type { JobResult } from '../model/job.js';
-import { baselineOf, directionOf, type Label } from './label.js';
-import { lineStyles, textColour, type LineKind } from './line-style.js';
+import type { LineStyle } from '../model/print-options.js';
+import { FontSet } from './font-set.js';
+import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import { missingBox, missingLine, missingWidth } from './missing-sign.js';
+import { PdfFonts } from './pdf-fonts.js';
 import type { Point } from './point.js';
-import { drawSheet, type DrawingOptions } from './sheet-drawing.js';
+import { textsOf, type Print } from './print.js';
+import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
+import { directionOf, type TextLine } from './text-line.js';
 
-export interface PdfOptions extends DrawingOptions {
-  /** Named at the top of every page; usually the model's name. */
-  title: string;
-  /** Width of the margin that the pieces keep free, in mm; default 10. */
-  margin?: number;
+/** A length in points; a ten-thousandth of a point is far below what any printer resolves. */
+function points(millimetres: number): number {
+  return Math.round((millimetres * 72e4) / 25.4) / 1e4;
 }
-
-/** Points per millimetre. */
-const scale = 72 / 25.4;
-const rulerLength = 50;
-// The text and the ruler with its figures need this much height.
-const leastMargin = 5;
-// 7 points: small, but readable on every printer.
-const noteSize = 2.5;
 
 function colour(hex: string): ReturnType<typeof rgb> {
   const channel = (at: number): number => Number.parseInt(hex.slice(at, at + 2), 16) / 255;
   return rgb(channel(1), channel(3), channel(5));
 }
 
-/** Lines of one kind as operators; `closed` joins the last point of each line to its first. */
-function lines(kind: LineKind, walks: Point[][], closed: boolean): PDFOperator[] {
-  const style = lineStyles[kind];
-  const operators = [
-    pushGraphicsState(),
-    setStrokingColor(colour(style.colour)),
-    setLineWidth(style.width * scale),
-    setLineJoin(1),
-    setLineCap(style.dash.length > 0 ? 0 : 1),
-    setDashPattern(
-      style.dash.map((length) => length * scale),
-      0,
-    ),
-  ];
-  for (const walk of walks) {
-    walk.forEach(([x, y], i) => {
-      operators.push((i === 0 ? moveTo : lineTo)(x * scale, y * scale));
-    });
-    if (closed) operators.push(closePath());
-    operators.push(stroke());
+function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
+  const steps = walk.map(([x, y], i) => (i === 0 ? moveTo : lineTo)(points(x), points(y)));
+  return closed ? [...steps, closePath()] : steps;
+}
+
+/** Writes one sheet on its page. */
+class PageWriter {
+  constructor(
+    private readonly page: PDFPage,
+    private readonly look: Look,
+    private readonly fonts: PdfFonts,
+  ) {}
+
+  private lines(style: LineStyle, walks: readonly Point[][], closed: boolean): void {
+    if (walks.length === 0) return;
+    this.page.pushOperators(
+      pushGraphicsState(),
+      setStrokingColor(colour(style.colour)),
+      setLineWidth(points(style.width)),
+      setLineJoin(1),
+      setLineCap(style.dash.length > 0 ? 0 : 1),
+      setDashPattern(style.dash.map(points), 0),
+      ...walks.flatMap((walk) => [...path(walk, closed), stroke()]),
+      popGraphicsState(),
+    );
   }
-  return [...operators, popGraphicsState()];
-}
 
-/** The standard fonts know only the Latin alphabet; other letters become question marks. */
-function encodable(text: string, font: PDFFont): string {
-  const known = new Set(font.getCharacterSet());
-  return [...text].map((letter) => (known.has(letter.codePointAt(0)!) ? letter : '?')).join('');
-}
+  private areas(hex: string, walks: readonly Point[][]): void {
+    if (hex === 'none' || walks.length === 0) return;
+    this.page.pushOperators(
+      pushGraphicsState(),
+      setFillingColor(colour(hex)),
+      ...walks.flatMap((walk) => [...path(walk, true), fill()]),
+      popGraphicsState(),
+    );
+  }
 
-function drawLabel(page: PDFPage, font: PDFFont, label: Label): void {
-  const [x, y] = baselineOf(label);
-  const [cosine, sine] = directionOf(label);
-  const size = label.size * scale;
-  page.pushOperators(
-    pushGraphicsState(),
-    concatTransformationMatrix(cosine, sine, -sine, cosine, x * scale, y * scale),
-  );
-  page.drawText(label.text, {
-    x: -font.widthOfTextAtSize(label.text, size) / 2,
-    y: 0,
-    size,
-    font,
-    color: colour(textColour),
-  });
-  page.pushOperators(popGraphicsState());
-}
-
-/** A ruler along the lower margin, to be laid beside a real one after printing. */
-function drawRuler(page: PDFPage, font: PDFFont, left: number, top: number): void {
-  const ticks = Array.from({ length: rulerLength / 10 + 1 }, (_, i): Point[] => {
-    const x = left + 10 * i;
-    return [
-      [x, top],
-      [x, top - 1.5],
+  /** Runs of letters from each font in turn, and boxes for those that none has. */
+  private text({ text, at, anchor, angle, size }: TextLine): void {
+    const [cosine, sine] = directionOf(angle);
+    const runs = this.fonts.runs(text);
+    const width = runs.reduce((sum, run) => sum + this.fonts.width(run), 0);
+    let along = anchor === 'middle' ? -width / 2 : 0;
+    const on = (x: number, y: number): Point => [
+      at[0] + size * (x * cosine - y * sine),
+      at[1] + size * (x * sine + y * cosine),
     ];
-  });
-  const base: Point[] = [
-    [left, top],
-    [left + rulerLength, top],
-  ];
-  page.pushOperators(...lines('cut', [base, ...ticks], false));
-  const options = { y: (top - 2) * scale, size: noteSize * scale, font, color: colour(textColour) };
-  page.drawText('50 mm', { x: (left + rulerLength + 1.5) * scale, ...options });
-}
-
-/** Title above the pieces and ruler below them, each only where the margin has room for it. */
-function drawNotes(page: PDFPage, font: PDFFont, note: string, margin: number): void {
-  if (margin < leastMargin) return;
-  const { width, height } = page.getSize();
-  const size = noteSize * scale;
-  const available = width - 2 * margin * scale;
-  if (font.widthOfTextAtSize(note, size) <= available) {
-    page.drawText(note, {
-      x: margin * scale,
-      y: height - (margin - 1.5) * scale,
-      size,
-      font,
-      color: colour(textColour),
-    });
+    for (const run of runs) {
+      if (run.slice < 0) {
+        this.missing((x, y) => on(along + x, y), size);
+        along += missingWidth;
+        continue;
+      }
+      const [x, y] = on(along, 0);
+      this.page.pushOperators(
+        beginText(),
+        setFillingColor(colour(this.look.text)),
+        setFontAndSize(this.fonts.key(this.page, run.slice), points(size)),
+        setTextMatrix(cosine, sine, -sine, cosine, points(x), points(y)),
+        showText(this.fonts.font(run.slice).encodeText(run.letters)),
+        endText(),
+      );
+      along += this.fonts.width(run);
+    }
   }
-  // 12 mm: the figures beside the ruler.
-  if (available >= (rulerLength + 12) * scale) drawRuler(page, font, margin, margin - 1.5);
+
+  private missing(on: (x: number, y: number) => Point, size: number): void {
+    const [left, bottom, right, top] = missingBox;
+    const half = missingLine / 2;
+    const walk = [
+      on(left + half, bottom + half),
+      on(right - half, bottom + half),
+      on(right - half, top - half),
+      on(left + half, top - half),
+    ];
+    this.lines({ width: missingLine * size, colour: this.look.text, dash: [] }, [walk], true);
+  }
+
+  private piece(piece: PieceDrawing): void {
+    const { cut, mountain, valley } = this.look.lines;
+    this.areas(this.look.flaps, piece.flaps);
+    this.lines(mountain, piece.mountains, false);
+    this.lines(valley, piece.valleys, false);
+    for (const text of piece.texts) this.text(text);
+    this.lines(cut, piece.cuts, true);
+  }
+
+  /** What belongs together is marked with a name, as the SVG's groups and pieces are. */
+  private marked(name: string, draw: () => void): void {
+    this.page.pushOperators(beginMarkedContent(name));
+    draw();
+    this.page.pushOperators(endMarkedContent());
+  }
+
+  write({ pieces, furniture }: SheetDrawing): void {
+    this.marked('guide', () => {
+      for (const { points: walk, closed, sample } of furniture.strokes) {
+        if (sample === 'flap') this.areas(this.look.flaps, [walk]);
+        else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
+      }
+      for (const text of furniture.texts) this.text(text);
+    });
+    for (const piece of pieces) {
+      this.marked(`guide-${piece.letter}`, () => {
+        this.lines(leaderStyle(this.look), piece.guides, false);
+      });
+      this.marked(`piece-${piece.letter}`, () => this.piece(piece));
+    }
+  }
 }
 
 /**
  * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the
- * print dialogue. The same result gives the same bytes.
+ * print dialogue, and of each font the letters that are used. The same print gives the same bytes.
  */
-export async function writePdf(result: JobResult, options: PdfOptions): Promise<Uint8Array> {
+export async function writePdf(print: Print): Promise<Uint8Array> {
+  const { title, look, sheets, loadFont } = print;
   const document = await PDFDocument.create({ updateMetadata: false });
-  const font = await document.embedFont(StandardFonts.Helvetica);
-  const title = encodable(options.title, font);
-  document.setTitle(options.title);
+  const set = print.fonts ?? (await FontSet.load(textsOf(sheets), loadFont));
+  const fonts = await PdfFonts.embed(document, set);
+  document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
   document.catalog.getOrCreateViewerPreferences().setPrintScaling(PrintScaling.None);
-  result.sheets.forEach((_, index) => {
-    const sheet = drawSheet(result, index, options);
-    const page = document.addPage([sheet.width * scale, sheet.height * scale]);
-    for (const piece of sheet.pieces) {
-      page.pushOperators(
-        ...lines('mountain', piece.mountains, false),
-        ...lines('valley', piece.valleys, false),
-        ...lines('cut', piece.cuts, true),
-      );
-      for (const label of piece.labels) drawLabel(page, font, label);
-    }
-    const count = result.sheets.length;
-    const note = `${title} - sheet ${index + 1} of ${count} - print at 100 %`;
-    drawNotes(page, font, note, options.margin ?? 10);
-  });
+  for (const sheet of sheets) {
+    const page = document.addPage([points(sheet.width), points(sheet.height)]);
+    new PageWriter(page, look, fonts).write(sheet);
+  }
   return document.save();
 }

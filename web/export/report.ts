@@ -19,11 +19,14 @@ export interface ReportInput {
   /** Every file written, as named by the user. */
   files: string[];
   result: JobResult;
+  /** Notices that came up when the sheets were drawn. */
+  printed: Notice[];
   seconds: StageSeconds;
 }
 
 export interface PieceReport {
   id: number;
+  name: string;
   part: number;
   faces: number;
   cause: Piece['cause'];
@@ -32,6 +35,8 @@ export interface PieceReport {
   height_mm: number;
   foldable: Piece['foldable'];
   certified: boolean;
+  /** Lengths of folds that are too short for what hangs at them. */
+  necks_mm: number[];
 }
 
 /** What a run did, for programs; `report.schema.json` describes it field by field. */
@@ -59,6 +64,7 @@ export interface Report {
 function pieceReport(piece: Piece): PieceReport {
   return {
     id: piece.id,
+    name: piece.name,
     part: piece.part,
     faces: piece.sources.length,
     cause: piece.cause,
@@ -67,6 +73,7 @@ function pieceReport(piece: Piece): PieceReport {
     height_mm: piece.height,
     foldable: piece.foldable,
     certified: piece.motion !== undefined,
+    necks_mm: Array.from(piece.necks),
   };
 }
 
@@ -105,7 +112,7 @@ export function makeReport(input: ReportInput): Report {
     efficiency: result.efficiency,
     flaps: result.flaps,
     ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
-    notices: result.notices,
+    notices: [...result.notices, ...input.printed],
     seconds: input.seconds,
     search: result.search,
     result_hash: result.hash,

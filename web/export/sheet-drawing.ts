@@ -1,17 +1,29 @@
-import type { JobResult, Piece } from '../model/job.js';
-import { pieceLetter } from '../model/piece-letter.js';
-import type { Label } from './label.js';
+import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
+import type { PrintOptions } from '../model/print-options.js';
+import { tellAngles, type AngledFold } from './fold-angles.js';
+import type { Furniture } from './furniture.js';
 import type { Point, Segment } from './point.js';
+import { centredLine, type TextLine } from './text-line.js';
 
-/** The lines of one piece where they lie on the sheet; mm, y up, from the sheet's lower left. */
+/**
+ * The lines of one piece, or of a loose strip, where they lie on the sheet; mm, y up, from the
+ * sheet's lower left.
+ */
 export interface PieceDrawing {
+  /** The piece's name; of a strip `strip-` and the number of its edge. */
   letter: string;
   /** Closed boundary walks around faces and flaps; slits are walked there and back. */
   cuts: Point[][];
   mountains: Segment[];
   valleys: Segment[];
-  /** Its name, and the ids of its cut edges. */
-  labels: Label[];
+  /** Lines from numbers to their edges, and strokes across edges to be joined by tape. */
+  guides: Segment[];
+  /** Whether there are such marks. */
+  hasTape: boolean;
+  /** Outlines of its flaps. */
+  flaps: Point[][];
+  /** Its name, the ids of its cut edges, and the angles of its folds. */
+  texts: TextLine[];
 }
 
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
@@ -19,11 +31,7 @@ export interface SheetDrawing {
   width: number;
   height: number;
   pieces: PieceDrawing[];
-}
-
-export interface DrawingOptions {
-  /** Folds flatter than this many degrees are not drawn; default 3. */
-  flatFold?: number;
+  furniture: Furniture;
 }
 
 type At = (vertex: number) => Point;
@@ -73,31 +81,86 @@ function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): S
   return segments;
 }
 
-function drawPiece(piece: Piece, flatFold: number): PieceDrawing {
+/** The folds between faces that are drawn, with their angles. */
+function angledFolds(piece: Piece, flatFold: number, at: At): AngledFold[] {
+  const folds: AngledFold[] = [];
+  piece.foldAngles.forEach((angle, edge) => {
+    if (!'MV'.includes(piece.assignments[edge]!) || Math.abs(angle) < flatFold) return;
+    folds.push({ line: [at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)], angle });
+  });
+  return folds;
+}
+
+function sidesOf(walk: readonly Point[]): Segment[] {
+  return walk.map((from, i) => [from, walk[(i + 1) % walk.length]!]);
+}
+
+/** Points of pairs of coordinates, moved. */
+function pointsOf(coordinates: Float64Array, dx = 0, dy = 0): Point[] {
+  return Array.from({ length: coordinates.length / 2 }, (_, i): Point => [
+    coordinates[2 * i]! + dx,
+    coordinates[2 * i + 1]! + dy,
+  ]);
+}
+
+function segmentsOf(coordinates: Float64Array, dx = 0, dy = 0): Segment[] {
+  const points = pointsOf(coordinates, dx, dy);
+  return Array.from({ length: points.length / 2 }, (_, i): Segment => [
+    points[2 * i]!,
+    points[2 * i + 1]!,
+  ]);
+}
+
+function lineOf({ text, x, y, angle, size }: PieceLabel, dx = 0, dy = 0): TextLine {
+  return centredLine({ text, x: x + dx, y: y + dy, angle, size });
+}
+
+function drawGuides({ labels, tapeMarks, x, y }: Piece): Segment[] {
+  const leaders = labels.flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
+  return [...leaders, ...segmentsOf(tapeMarks, x, y)];
+}
+
+function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing {
+  const folds = segmentsOf(fold);
+  const isValley = foldAngle > 0;
+  return {
+    letter: `strip-${id}`,
+    cuts: [pointsOf(outline)],
+    mountains: isValley ? [] : folds,
+    valleys: isValley ? folds : [],
+    guides: [],
+    hasTape: false,
+    flaps: [],
+    texts: [lineOf(label)],
+  };
+}
+
+function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
-  return {
-    letter: pieceLetter(piece.id),
-    cuts: drawCuts(piece, at),
-    mountains: drawFolds(piece, 'M', flatFold, at),
-    valleys: drawFolds(piece, 'V', flatFold, at),
-    labels: piece.labels.map((label) => ({
-      ...label,
-      x: label.x + piece.x,
-      y: label.y + piece.y,
-    })),
-  };
+  const cuts = drawCuts(piece, at);
+  const mountains = drawFolds(piece, 'M', flatFold, at);
+  const valleys = drawFolds(piece, 'V', flatFold, at);
+  const guides = drawGuides(piece);
+  const hasTape = piece.tapeMarks.length > 0;
+  const texts = piece.labels.map((label) => lineOf(label, piece.x, piece.y));
+  if (foldAngles) {
+    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
+    texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
+  }
+  const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
+  return { letter: piece.name, cuts, mountains, valleys, guides, hasTape, flaps, texts };
 }
 
-/** The drawing of sheet number `sheet`, counted from 0. */
-export function drawSheet(
+/** The pieces and loose strips on sheet number `sheet`, counted from 0. */
+export function drawPieces(
   result: JobResult,
   sheet: number,
-  { flatFold = 3 }: DrawingOptions = {},
-): SheetDrawing {
-  const { width, height } = result.sheets[sheet]!;
+  options: PrintOptions,
+): PieceDrawing[] {
   const pieces = result.pieces.filter((piece) => piece.sheet === sheet);
-  return { width, height, pieces: pieces.map((piece) => drawPiece(piece, flatFold)) };
+  const strips = result.strips.filter((strip) => strip.sheet === sheet);
+  return [...pieces.map((piece) => drawPiece(piece, options)), ...strips.map(drawStrip)];
 }

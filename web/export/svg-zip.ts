@@ -1,6 +1,5 @@
 import { strToU8, zipSync, type Zippable } from 'fflate';
-import type { JobResult } from '../model/job.js';
-import type { DrawingOptions } from './sheet-drawing.js';
+import type { Print } from './print.js';
 import { sheetName } from './sheet-name.js';
 import { writeSvg } from './svg.js';
 
@@ -8,15 +7,11 @@ import { writeSvg } from './svg.js';
 const noDate = new Date(1980, 0, 1);
 
 /** All sheets as SVG files in one zip archive; `name` (with its ending .svg) names the files. */
-export function writeSvgZip(
-  result: JobResult,
-  name: string,
-  options: DrawingOptions = {},
-): Uint8Array {
-  const count = result.sheets.length;
+export function writeSvgZip(print: Print, name: string): Uint8Array {
+  const count = print.sheets.length;
   const files: Zippable = {};
-  result.sheets.forEach((_, sheet) => {
-    files[sheetName(name, sheet, count)] = strToU8(writeSvg(result, sheet, options));
+  print.sheets.forEach((_, sheet) => {
+    files[sheetName(name, sheet, count)] = strToU8(writeSvg(print, sheet));
   });
   return zipSync(files, { mtime: noDate });
 }

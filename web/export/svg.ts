@@ -1,12 +1,20 @@
-import type { JobResult } from '../model/job.js';
-import { baselineOf, type Label } from './label.js';
-import { lineStyles, textColour, type LineKind } from './line-style.js';
+import type { LineKind, LineStyle } from '../model/print-options.js';
+import type { FontSet } from './font-set.js';
+import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import { outlinesOf } from './outlines.js';
 import type { Point, Segment } from './point.js';
-import { drawSheet, type DrawingOptions, type SheetDrawing } from './sheet-drawing.js';
+import { isPlain, type Print } from './print.js';
+import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
+import type { TextLine } from './text-line.js';
 
 /** The 0.1 micrometre that four decimals keep is far below what any printer or cutter resolves. */
 function decimal(value: number): string {
   return String(Number(value.toFixed(4)) + 0);
+}
+
+function escaped(text: string): string {
+  const names: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
+  return text.replace(/[&<>"]/g, (letter) => names[letter]!);
 }
 
 function attributes(values: Record<string, string | number>): string {
@@ -15,8 +23,7 @@ function attributes(values: Record<string, string | number>): string {
     .join(' ');
 }
 
-function strokeOf(kind: LineKind): string {
-  const { width, colour, dash } = lineStyles[kind];
+function strokeOf({ width, colour, dash }: LineStyle): string {
   return attributes({
     fill: 'none',
     stroke: colour,
@@ -29,60 +36,106 @@ function strokeOf(kind: LineKind): string {
 
 /** Writes one sheet; holds the flip of y, the only change of coordinates on the way into SVG. */
 class SheetWriter {
-  constructor(private readonly drawing: SheetDrawing) {}
+  constructor(
+    private readonly drawing: SheetDrawing,
+    private readonly look: Look,
+    private readonly fonts: FontSet | null,
+  ) {}
 
   private at([x, y]: Point): string {
     return `${decimal(x)} ${decimal(this.drawing.height - y)}`;
   }
 
-  private path(kind: LineKind, letter: string, data: string[]): string[] {
-    if (data.length === 0) return [];
-    return [`<path data-piece="${letter}" ${strokeOf(kind)} d="${data.join('')}"/>`];
+  private walk(points: Point[], closed: boolean): string {
+    return `M${points.map((point) => this.at(point)).join('L')}${closed ? 'Z' : ''}`;
   }
 
-  private folds(kind: 'mountain' | 'valley', letter: string, segments: Segment[]): string[] {
-    const data = segments.map(([from, to]) => `M${this.at(from)}L${this.at(to)}`);
-    return this.path(kind, letter, data);
+  private path(letter: string, paint: string, data: string[]): string[] {
+    if (data.length === 0) return [];
+    return [`<path data-piece="${escaped(letter)}" ${paint} d="${data.join('')}"/>`];
+  }
+
+  /** One path for each piece. */
+  private paths(paint: string, dataOf: (piece: PieceDrawing) => string[]): string[] {
+    return this.drawing.pieces.flatMap((piece) => this.path(piece.letter, paint, dataOf(piece)));
+  }
+
+  private folds(kind: LineKind, segmentsOf: (piece: PieceDrawing) => Segment[]): string[] {
+    return this.paths(strokeOf(this.look.lines[kind]), (piece) =>
+      segmentsOf(piece).map((segment) => this.walk(segment, false)),
+    );
   }
 
   cuts(): string[] {
-    return this.drawing.pieces.flatMap(({ letter, cuts }) => {
-      const data = cuts.map((walk) => `M${walk.map((point) => this.at(point)).join('L')}Z`);
-      return this.path('cut', letter, data);
-    });
+    return this.paths(strokeOf(this.look.lines.cut), ({ cuts }) =>
+      cuts.map((walk) => this.walk(walk, true)),
+    );
   }
 
   mountains(): string[] {
-    const { pieces } = this.drawing;
-    return pieces.flatMap((piece) => this.folds('mountain', piece.letter, piece.mountains));
+    return this.folds('mountain', ({ mountains }) => mountains);
   }
 
   valleys(): string[] {
-    const { pieces } = this.drawing;
-    return pieces.flatMap((piece) => this.folds('valley', piece.letter, piece.valleys));
+    return this.folds('valley', ({ valleys }) => valleys);
   }
 
-  private label(letter: string, label: Label): string {
-    const [x, y] = baselineOf(label);
-    const [left, top] = [decimal(x), decimal(this.drawing.height - y)];
-    const turn = decimal(-label.angle);
+  flaps(): string[] {
+    const fill = this.look.flaps;
+    if (fill === 'none') return [];
+    return this.paths(attributes({ fill }), ({ flaps }) =>
+      flaps.map((walk) => this.walk(walk, true)),
+    );
+  }
+
+  /** Letters that not every reader has are drawn as what they look like. */
+  private text(line: TextLine, owner: string): string {
+    if (this.fonts && !isPlain(line.text)) {
+      const data = outlinesOf(line, this.fonts)
+        .map(({ command, points }) => command + points.map((point) => this.at(point)).join(' '))
+        .join('');
+      return `<path ${owner}data-text="${escaped(line.text)}" fill="${this.look.text}" d="${data}"/>`;
+    }
+    const [left, top] = this.at(line.at).split(' ');
+    const turn = decimal(-line.angle);
     const place = attributes({
-      x: left,
-      y: top,
-      fill: textColour,
+      x: left!,
+      y: top!,
+      fill: this.look.text,
       'font-family': 'Helvetica, Arial, sans-serif',
-      'font-size': label.size,
-      'text-anchor': 'middle',
+      'font-size': line.size,
+      'text-anchor': line.anchor,
       // About its own place, which stays where x and y say.
       ...(turn !== '0' && { transform: `rotate(${turn} ${left} ${top})` }),
     });
-    return `<text data-piece="${letter}" ${place}>${label.text}</text>`;
+    return `<text ${owner}${place}>${escaped(line.text)}</text>`;
   }
 
   labels(): string[] {
-    return this.drawing.pieces.flatMap(({ letter, labels }) =>
-      labels.map((label) => this.label(letter, label)),
+    return this.drawing.pieces.flatMap(({ letter, texts }) =>
+      texts.map((line) => this.text(line, `data-piece="${escaped(letter)}" `)),
     );
+  }
+
+  guide(): string[] {
+    const { strokes, texts } = this.drawing.furniture;
+    const kinds = ['flap', undefined, 'mountain', 'valley', 'cut'] as const;
+    const paths = kinds.flatMap((kind) => {
+      const data = strokes
+        .filter(({ sample }) => sample === kind)
+        .map(({ points, closed }) => this.walk(points, closed));
+      const isNothing = data.length === 0 || (kind === 'flap' && this.look.flaps === 'none');
+      return isNothing ? [] : [`<path ${this.guidePaint(kind)} d="${data.join('')}"/>`];
+    });
+    const leaders = this.paths(strokeOf(leaderStyle(this.look)), ({ guides }) =>
+      guides.map((segment) => this.walk(segment, false)),
+    );
+    return [...paths, ...texts.map((line) => this.text(line, '')), ...leaders];
+  }
+
+  private guidePaint(kind: LineKind | 'flap' | undefined): string {
+    if (kind === 'flap') return attributes({ fill: this.look.flaps });
+    return strokeOf(kind ? this.look.lines[kind] : guideStyle(this.look));
   }
 }
 
@@ -92,24 +145,25 @@ function group(id: string, content: string[]): string {
 
 /**
  * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
- * in mm, no style sheet, and no transforms but the turn of a text about its own place. All groups are there, empty or not, in a fixed order, so
- * that cutting programs find the same layers in every file.
+ * in mm, no style sheet, and no transforms but the turn of a text about its own place. All groups
+ * are there, empty or not, in a fixed order, so that cutting programs find the same layers in every
+ * file. Texts are text, but for letters that not every reader has: those are outlines.
  */
-export function writeSvg(result: JobResult, sheet: number, options: DrawingOptions = {}): string {
-  const drawing = drawSheet(result, sheet, options);
+export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string {
+  const drawing = sheets[sheet]!;
   const [width, height] = [decimal(drawing.width), decimal(drawing.height)];
   const size = attributes({
     width: `${width}mm`,
     height: `${height}mm`,
     viewBox: `0 0 ${width} ${height}`,
   });
-  const writer = new SheetWriter(drawing);
+  const writer = new SheetWriter(drawing, look, fonts);
   return [
     '<?xml version="1.0" encoding="UTF-8"?>',
     `<svg xmlns="http://www.w3.org/2000/svg" ${size}>`,
     group('texture', []),
-    group('guide', []),
-    group('flap', []),
+    group('guide', writer.guide()),
+    group('flap', writer.flaps()),
     group('fold-mountain', writer.mountains()),
     group('fold-valley', writer.valleys()),
     group('id', writer.labels()),

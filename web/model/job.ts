@@ -13,7 +13,37 @@ export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
 export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
 /** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
 export type IdPlace = 'none' | 'inside' | 'flap' | 'both';
+/** Loose strips for edges that get no flap: none, where sheets have room, or on further sheets, too. */
+export type GlueStrips = 'none' | 'free' | 'all';
 export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
+
+/** A choice for one edge, which other settings for flaps then do not touch. */
+export interface FlapChoice {
+  /** Vertices of the repaired model. */
+  from: number;
+  to: number;
+  /** Which of the faces beside the edge bear a flap, seen from `from` to `to` and from outside. */
+  flaps: 'none' | 'left' | 'right' | 'both';
+}
+
+/** A person's name for a part. */
+export interface PartName {
+  part: number;
+  /** Up to 16 characters, no colon, and not a number. */
+  name: string;
+}
+
+/** A piece that stays where a person put it, as long as there is one with this part and face. */
+export interface PinnedPiece {
+  part: number;
+  /** The first of the piece's `sources`. */
+  face: number;
+  /** Place and turn as those of a `Piece`. */
+  sheet: number;
+  x: number;
+  y: number;
+  angle: number;
+}
 
 export interface JobOptions {
   /** Number of parts; 0 estimates it. */
@@ -43,7 +73,18 @@ export interface JobOptions {
   flapHeight: number;
   /** Of a flap's sides at its base, at most; degrees. */
   flapAngle: number;
+  /** Whether open borders of the model get flaps as well. */
+  flapBorders: boolean;
+  /** Of several choices for one edge the last counts. */
+  flapEdges: FlapChoice[];
+  glueStrips: GlueStrips;
   ids: IdPlace;
+  /** Parts without a name have pieces with letters. */
+  names: PartName[];
+  /** With automatic orientation, the first one on which these fit is taken. */
+  pins: PinnedPiece[];
+  /** Make nets better to craft once they are found: room for flaps, a small outline, strong necks. */
+  compaction: boolean;
   /** Paper, portrait: width <= height. */
   paperWidth: number;
   paperHeight: number;
@@ -104,6 +145,23 @@ export interface PieceLabel {
   angle: number;
   /** Of the font. */
   size: number;
+  /** Where it stands apart from its edge: x and y of both ends of a line that leads there. */
+  leader?: Float64Array;
+}
+
+/** A loose strip of paper, to be glued behind both sides of a cut edge that has no flap. */
+export interface Strip {
+  /** Of the edge that it joins. */
+  id: number;
+  modelEdge: number;
+  sheet: number;
+  /** x and y of the corners, counter-clockwise, from the sheet's lower left. */
+  outline: Float64Array;
+  /** x and y of both ends of its fold. */
+  fold: Float64Array;
+  /** Degrees: valley positive, mountain negative. */
+  foldAngle: number;
+  label: PieceLabel;
 }
 
 /** What came of the flaps of cut edges between two faces that are longer than 4 mm. */
@@ -117,11 +175,18 @@ export interface FlapCounts {
   /** Length of the edges that want flaps, and of those without. */
   wanted_mm: number;
   missing_mm: number;
+  /** Flaps on open borders. */
+  borders: number;
+  /** Edges served by loose strips, and edges left for tape. */
+  strips: number;
+  taped: number;
 }
 
 /** One net on paper. */
 export interface Piece {
   id: number;
+  /** On paper: a letter, or what a person called its part. */
+  name: string;
   part: number;
   /**
    * Why the piece exists: it is a whole part, or a share of a part without a net, or a motion, or
@@ -153,13 +218,49 @@ export interface Piece {
   /** Closed boundary walks as vertex indices, the outer one first and counter-clockwise; slits are
    * walked there and back. */
   outlines: Int32Array[];
+  /** Lengths in mm, ascending, of folds that are too short for what hangs at them on both sides. */
+  necks: Float64Array;
   flaps: Flaps;
   /** No text touches a line, or another text. */
   labels: PieceLabel[];
+  /** Short strokes across edges to be joined by tape; x and y of both ends of each. */
+  tapeMarks: Float64Array;
   /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
   sheet: number;
   x: number;
   y: number;
+  /** How it was turned to lie there from how its net came; degrees, counter-clockwise. */
+  angle: number;
+}
+
+/** A net from which another job can start. Faces and edges are those of the model. */
+export interface SavedNet {
+  part: number;
+  cause: Piece['cause'];
+  faces: Int32Array;
+  /** The first edge of every line along which it folds. */
+  folds: Int32Array;
+  foldable: Piece['foldable'];
+  /** Of the keys of its motion; empty without one. */
+  times: Float64Array;
+  /** Per key, the share of its angle that each fold has then. */
+  shares: Float64Array[];
+}
+
+/**
+ * Makes some parts that touch into another number of parts: one into several splits it, two into one
+ * merges them, one into one searches it again. Parts are those of the result before.
+ */
+export interface Edit {
+  parts: number[];
+  into: number;
+}
+
+/** An earlier result and what to change in it. No part is named by two edits. */
+export interface JobStart {
+  labels: Int32Array;
+  nets: SavedNet[];
+  edits: Edit[];
 }
 
 export interface Sheet {
@@ -177,7 +278,10 @@ export interface JobResult {
   parts: number;
   /** In the order of gluing. */
   pieces: Piece[];
+  nets: SavedNet[];
   sheets: Sheet[];
+  /** By id. */
+  strips: Strip[];
   /** Area of the faces over the area of the sheets. */
   efficiency: number;
   /** Millimetres per unit of the model. */
@@ -191,7 +295,7 @@ export interface JobResult {
   hash: string;
 }
 
-export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'paper';
+export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {

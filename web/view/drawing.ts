@@ -6,11 +6,14 @@ export type Drawer<Message> = (message: Message | SizeMessage) => void;
 export type SizeMessage = { type: 'size' } & PictureSize;
 
 /** Where a drawing may be made. */
-export interface Places<Message> {
+export interface Places<Message, Answer = never> {
   /** Starts a worker that keeps to `serveDrawing`. */
   worker: () => Worker;
   /** Makes a drawer in this thread; null where nothing can be drawn. */
-  here: (canvas: HTMLCanvasElement) => Promise<Drawer<Message> | null>;
+  here: (
+    canvas: HTMLCanvasElement,
+    answer: (answer: Answer) => void,
+  ) => Promise<Drawer<Message> | null>;
 }
 
 /** Why there is nothing to see: nobody can draw it here, or whoever could has failed. */
@@ -29,7 +32,7 @@ function isAble(worker: Worker): Promise<boolean> {
  * Fills an element of the page with a picture that is drawn from messages: by a worker, so that the
  * page stays free, or by the page where workers cannot draw.
  */
-export class Drawing<Message> {
+export class Drawing<Message, Answer = never> {
   private opened = false;
   /** What was told before there was anyone to draw it. */
   private waiting: (Message | SizeMessage)[] = [];
@@ -37,8 +40,9 @@ export class Drawing<Message> {
 
   constructor(
     private readonly frame: HTMLElement,
-    private readonly places: Places<Message>,
+    private readonly places: Places<Message, Answer>,
     private readonly onFailure: (failure: DrawingFailure) => void,
+    private readonly onAnswer: (answer: Answer) => void = () => undefined,
   ) {}
 
   /** Starts whoever draws, the first time that it is called. */
@@ -46,7 +50,8 @@ export class Drawing<Message> {
     if (this.opened) return;
     this.opened = true;
     try {
-      const drawer = (await this.inWorker()) ?? (await this.places.here(this.newCanvas()));
+      const drawer =
+        (await this.inWorker()) ?? (await this.places.here(this.newCanvas(), this.onAnswer));
       if (drawer) this.begin(drawer);
       else this.fail('impossible');
     } catch (error) {
@@ -71,6 +76,7 @@ export class Drawing<Message> {
       return null;
     }
     worker.addEventListener('error', () => this.fail('broken'));
+    worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => this.onAnswer(data));
     return (message) => worker.postMessage(message);
   }
 

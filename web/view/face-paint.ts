@@ -5,8 +5,14 @@ import { partHatch } from './part-hatches.js';
 /** Paper that belongs to no part yet. */
 const blank = [242, 235, 220];
 
-function paintOf(part: number): Color {
-  const [red, green, blue] = (part < 0 ? blank : partRgb(part)).map((value) => value / 255);
+/** How much of its colour a part keeps beside those that stand out. */
+const faded = 0.2;
+
+function paintOf(part: number, share: number): Color {
+  const colour = part < 0 ? blank : partRgb(part);
+  const [red, green, blue] = colour.map(
+    (value, i) => (share * value + (1 - share) * blank[i]!) / 255,
+  );
   return new Color().setRGB(red!, green!, blue!, SRGBColorSpace);
 }
 
@@ -18,13 +24,22 @@ export function addPaint(geometry: BufferGeometry, faceCount: number): void {
   geometry.setAttribute('hatch', attribute(1));
 }
 
-/** Colours and hatches every face by its part; -1 is blank paper. Nothing else is rewritten. */
-export function paintFaces(geometry: BufferGeometry, labels: Int32Array): void {
+/**
+ * Colours and hatches every face by its part; -1 is blank paper. Nothing else is rewritten.
+ *
+ * @param selected parts beside which all others fade, unless there are none
+ */
+export function paintFaces(
+  geometry: BufferGeometry,
+  labels: Int32Array,
+  selected: ReadonlySet<number>,
+): void {
   const colours = geometry.getAttribute('color') as BufferAttribute;
   const hatches = geometry.getAttribute('hatch') as BufferAttribute;
   const paints = new Map<number, Color>();
   labels.forEach((part, face) => {
-    const paint = paints.get(part) ?? paintOf(part);
+    const share = selected.size === 0 || selected.has(part) ? 1 : faded;
+    const paint = paints.get(part) ?? paintOf(part, share);
     paints.set(part, paint);
     for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
       colours.setXYZ(corner, paint.r, paint.g, paint.b);

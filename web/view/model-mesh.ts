@@ -5,6 +5,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
+  type Raycaster,
 } from 'three';
 import { EdgeLines, nextCorner } from './edge-lines.js';
 import { addPaint, paintFaces } from './face-paint.js';
@@ -30,6 +31,7 @@ export class ModelMesh {
   private faces: Int32Array = new Int32Array();
   private edges: EdgeLines | null = null;
   private labels: Int32Array = new Int32Array();
+  private selected: ReadonlySet<number> = new Set();
 
   constructor() {
     // They are always in view, and in other places with every frame of a folding.
@@ -65,7 +67,9 @@ export class ModelMesh {
     geometry.setAttribute('normal', this.normal);
     geometry.setAttribute('uv', new BufferAttribute(uvs, 2));
     addPaint(geometry, faces.length / 3);
-    paintFaces(geometry, new Int32Array(faces.length / 3).fill(-1));
+    this.selected = new Set();
+    this.labels = new Int32Array(faces.length / 3).fill(-1);
+    paintFaces(geometry, this.labels, this.selected);
     const lines = new BufferGeometry();
     lines.setAttribute('position', this.position);
     lines.setIndex(this.ends);
@@ -80,9 +84,23 @@ export class ModelMesh {
   /** Colours the faces by their parts. Those of another model are ignored. */
   paint(labels: Int32Array): void {
     if (3 * labels.length !== this.faces.length) return;
-    paintFaces(this.mesh.geometry, labels);
     this.labels = labels;
+    paintFaces(this.mesh.geometry, labels, this.selected);
     this.lineBorders();
+  }
+
+  /** Lets parts stand out by fading all others, unless there are none. */
+  select(parts: number[]): void {
+    this.selected = new Set(parts);
+    paintFaces(this.mesh.geometry, this.labels, this.selected);
+  }
+
+  /** The part that a ray meets first; -1 if it meets none. */
+  partAlong(ray: Raycaster): number {
+    // The faces may have moved since the last time.
+    this.mesh.geometry.computeBoundingSphere();
+    const face = ray.intersectObject(this.mesh)[0]?.faceIndex;
+    return face == null ? -1 : this.labels[face]!;
   }
 
   /** Draws lines along the borders of the parts. */

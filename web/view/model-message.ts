@@ -23,6 +23,10 @@ export type ModelMessage =
   | { type: 'model'; vertices: Float32Array | Float64Array; faces: Int32Array }
   /** The parts of the faces; -1 is blank paper. Those of another model are ignored. */
   | { type: 'labels'; labels: Int32Array }
+  /** Parts that stand out; all others fade, unless there are none. */
+  | { type: 'selected'; parts: number[] }
+  /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
+  | { type: 'point'; x: number; y: number }
   /** Whether hatches tell the parts apart, besides colours. */
   | { type: 'hatched'; hatched: boolean }
   /** Whether the model turns by itself, until it is turned by hand. */
@@ -32,3 +36,8 @@ export type ModelMessage =
   | ({ type: 'folding' } & Folding)
   /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
   | { type: 'time'; time: number };
+
+/** What a picture of a model answers: the part that was pointed at. */
+export interface ModelAnswer {
+  part: number;
+}

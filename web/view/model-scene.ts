@@ -1,10 +1,18 @@
-import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import {
+  DirectionalLight,
+  HemisphereLight,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Vector2,
+  WebGLRenderer,
+} from 'three';
 import type { PictureSize } from './picture-size.js';
 import type { SizeMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
 import { ModelMesh } from './model-mesh.js';
-import type { Folding, ModelMessage } from './model-message.js';
+import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
 import { Orbit, viewHeight } from './orbit.js';
 import { Redraw } from './redraw.js';
 
@@ -30,8 +38,15 @@ export class ModelScene {
   private turning = false;
   private lastTurn = -Infinity;
 
-  /** @param canvas of a document or, in a worker, without one */
-  constructor(canvas: HTMLCanvasElement | OffscreenCanvas, context: WebGL2RenderingContext) {
+  /**
+   * @param canvas of a document or, in a worker, without one
+   * @param answer hears which part is seen where someone points
+   */
+  constructor(
+    canvas: HTMLCanvasElement | OffscreenCanvas,
+    context: WebGL2RenderingContext,
+    private readonly answer: (answer: ModelAnswer) => void,
+  ) {
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.setClearAlpha(0);
     const sun = new DirectionalLight('#fff6e6', 2.1);
@@ -53,6 +68,12 @@ export class ModelScene {
       case 'labels':
         this.mesh.paint(message.labels);
         break;
+      case 'selected':
+        this.mesh.select(message.parts);
+        break;
+      case 'point':
+        this.pick(message.x, message.y);
+        return;
       case 'hatched':
         this.mesh.hatched = message.hatched;
         break;
@@ -82,6 +103,14 @@ export class ModelScene {
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
     this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
+  }
+
+  private pick(x: number, y: number): void {
+    this.camera.updateMatrixWorld();
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(x, y), this.camera);
+    const part = this.mesh.partAlong(ray);
+    if (part >= 0) this.answer({ part });
   }
 
   /** Moves the faces to where they are at the wanted time. */

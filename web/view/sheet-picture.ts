@@ -46,7 +46,8 @@ function paintPieces(svg: SVGSVGElement, paints: ReadonlyMap<string, PiecePaint>
     const paint = paints.get(letter);
     if (!paint) continue;
     const d = cut.getAttribute('d') ?? '';
-    const id = `hatch-${letter}`;
+    // Names may hold what an address must not.
+    const id = `hatch-${letter.replace(/[^A-Za-z0-9]/g, (sign) => `_${sign.charCodeAt(0)}`)}`;
     ground.append(
       shape('path', { d, fill: paint.colour, 'data-area': letter }),
       hatchPattern(id, paint.hatch),

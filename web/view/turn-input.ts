@@ -23,24 +23,36 @@ const keyTurns: Readonly<Record<string, Partial<Turn>>> = {
   '-': { away: 1 / keyZoom },
 };
 
+/** Pixels that a hand may tremble between press and release. */
+const tremble = 5;
+
 interface Point {
   x: number;
   y: number;
 }
 
-/** Makes turns of what hands do to a picture in its frame: drag, pinch, roll the wheel, press keys. */
+/**
+ * Makes turns of what hands do to a picture in its frame: drag, pinch, roll the wheel, press keys. A
+ * click points at something.
+ */
 export class TurnInput {
   /** Where mouse, pen and fingers hold the picture. */
   private readonly held = new Map<number, Point>();
+  /** Where a press began that may still become a click. */
+  private pressed: Point | null = null;
 
-  /** @param onTurn is also called when the picture is grabbed, with a turn that moves nothing */
+  /**
+   * @param onTurn is also called when the picture is grabbed, with a turn that moves nothing
+   * @param onPoint from -1 to 1, to the right and up
+   */
   constructor(
     private readonly frame: HTMLElement,
     private readonly onTurn: (turn: Turn) => void,
+    private readonly onPoint: (x: number, y: number) => void,
   ) {
     frame.addEventListener('pointerdown', (event) => this.grab(event));
     frame.addEventListener('pointermove', (event) => this.drag(event));
-    frame.addEventListener('pointerup', ({ pointerId }) => this.held.delete(pointerId));
+    frame.addEventListener('pointerup', (event) => this.release(event));
     frame.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
     frame.addEventListener('wheel', (event) => this.roll(event), { passive: false });
     frame.addEventListener('keydown', (event) => this.press(event));
@@ -54,7 +66,17 @@ export class TurnInput {
     this.frame.focus({ preventScroll: true });
     this.frame.setPointerCapture(pointerId);
     this.held.set(pointerId, { x: clientX, y: clientY });
+    this.pressed = this.held.size === 1 ? { x: clientX, y: clientY } : null;
     this.turn({});
+  }
+
+  private release({ pointerId, clientX, clientY }: PointerEvent): void {
+    this.held.delete(pointerId);
+    const { pressed } = this;
+    this.pressed = null;
+    if (!pressed || Math.hypot(clientX - pressed.x, clientY - pressed.y) > tremble) return;
+    const { left, top, width, height } = this.frame.getBoundingClientRect();
+    this.onPoint((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
   }
 
   private drag({ pointerId, clientX, clientY }: PointerEvent): void {

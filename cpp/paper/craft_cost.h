@@ -1,0 +1,137 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "geometry/box_grid.h"
+#include "paper/flaps.h"
+#include "paper/silhouette.h"
+#include "unfold/tree_cost.h"
+
+namespace foldwright {
+
+/// What makes a net good to craft, in shares of a missing flap.
+struct CraftWeights {
+  double flaps = 1;    ///< per cut edge that has no room for one
+  double hull = 3;     ///< per area of the faces that the convex hull has
+  double necks = 0.5;  ///< per fold too short to hold what hangs at it
+  double excess = 1;   ///< per mm that sticks out of the sheet
+};
+
+/// What is known of a cut edge whose other side is in another piece.
+struct BorderRoom {
+  int mesh_edge;
+  double height;  ///< of the flap that may be counted on there, mm; 0: none
+};
+
+struct CraftOptions {
+  double scale = 1;  ///< millimetres per model unit
+  FlapShape shape = {};
+  CraftWeights weights = {};
+  Extent room;  ///< that the piece should fit, mm
+  /// Edges at the border of the piece that want a flap, with what there is on their other side.
+  std::vector<BorderRoom> borders;
+};
+
+/// The cost of a net on paper: cut edges without room for a flap, a large hull, weak necks, and
+/// what sticks out of the sheet.
+///
+/// Room is measured as flaps are placed (`room_profile.h`), but with no flap in the way of another;
+/// only edges over 4 mm count, each by its better side.
+class CraftCost : public TreeCost {
+ public:
+  /// Mesh and graph must outlive this object.
+  CraftCost(const Mesh& mesh, const DualGraph& graph, const CraftOptions& options);
+
+  void lay(const FoldTree& folds, const Layout& places) override;
+  double cost() const override { return total(now_); }
+  double try_swap(const TreeSwap& swap, double limit) override;
+  void accept() override;
+  int worst_cut(Random& random) const override;
+  std::int64_t work() const override { return work_; }
+
+  /// Height of the flap that each border edge has room for on this piece, by mesh edge.
+  std::vector<BorderRoom> border_rooms();
+
+ private:
+  /// One copy of an edge that may be cut; mm.
+  struct Side {
+    int slot, corner;  ///< its face among those of the graph, and the corner it starts from
+    double length;
+    Vec2 apex;    ///< third corner of the face across, in the coordinates of the base
+    double open;  ///< height of the flap where nothing is in the way
+  };
+  /// The sides of one mesh edge.
+  struct Seam {
+    int mesh_edge;
+    int hinge;                 ///< -1 at the border of the piece
+    std::array<int, 2> sides;  ///< second: -1 at the border
+    double elsewhere;          ///< height to be counted on in another piece
+  };
+  struct Terms {
+    double flaps = 0, hull = 0;
+    int necks = 0;
+    double excess = 0;
+  };
+  struct Placed {
+    Triangle2 face;
+    Box2 box;
+  };
+
+  static constexpr double kUnknown = -1;
+
+  void add_sides(const Mesh& mesh);
+  Side make_side(const Mesh& mesh, int slot, int corner) const;
+  double total(const Terms& terms) const;
+  double seam_cost(double height) const;
+  bool is_cut(int side) const;
+  Box2 reach_of(const Side& side, const Triangle2& face) const;
+  void put(int slot, Placed placed);
+  void forget_trial();
+  void touch(int seam);
+  void touch_side(int side);
+  void find_stale();
+  void touch_near(int slot, const Box2& around, const Placed& placed, bool in_trial);
+  void measure_seams(double limit);
+  double best_height(const Seam& seam);
+  /// Height of the flap that a side has room for as faces lie in the trial.
+  double measure(int side);
+  void take_measures();
+  int count_necks() const;
+  void measure_shape(Terms& terms) const;
+
+  const DualGraph* graph_;
+  CraftOptions options_;
+  FlapShape probe_;  ///< what room is measured with: also less than a flap
+  std::vector<Side> sides_;
+  std::vector<int> first_side_;  ///< CSR over faces into `sides_`
+  std::vector<Seam> seams_;
+  std::vector<int> seam_of_side_;
+  std::vector<std::vector<int>> seams_of_hinge_;
+  double area_ = 0;  ///< of the faces, mm^2
+
+  std::vector<char> is_fold_;
+  std::vector<Placed> placed_;  ///< per face
+  BoxGrid<2> grid_;
+  std::vector<Box2> reach_;   ///< per side: around where its flap may lie
+  std::vector<double> room_;  ///< per side; kUnknown where it does not matter
+  std::vector<double> cost_;  ///< per seam
+  Terms now_;
+
+  // The trial under way:
+  TreeSwap trial_{};
+  std::vector<char> moves_;  ///< per face
+  std::vector<int> moved_slots_;
+  std::vector<Placed> trial_placed_;  ///< per face; of those that move
+  std::vector<char> is_stale_;        ///< per side: its surroundings change
+  std::vector<int> stale_sides_, stale_seams_;
+  std::vector<std::pair<int, double>> new_rooms_, new_costs_;
+  Terms then_;
+  std::int64_t work_ = 0;
+
+  std::vector<std::uint32_t> seen_;  ///< per face, within one query
+  std::uint32_t query_ = 0;
+  RoomProfile profile_{};
+};
+
+}  // namespace foldwright

@@ -1,0 +1,124 @@
+#include "paper/flap_room.h"
+
+#include <algorithm>
+
+#include "geometry/convex2.h"
+
+namespace foldwright {
+namespace {
+
+// Flaps may touch what is beside them in a point of the outline, up to rounding.
+constexpr double kTouching = 1e-6;
+
+// Side of a grid's cells in mm, about that of faces.
+constexpr double kGridCell = 8;
+
+using Polygon = FlapRoom::Polygon;
+
+bool is_free(const SeamSide& side, const Trapezoid& flap,
+             std::span<const Polygon* const> obstacles) {
+  const Polygon corners = flap_corners(side, flap);
+  return std::ranges::none_of(obstacles, [&](const Polygon* obstacle) {
+    return convex_overlap(corners, *obstacle, kTouching);
+  });
+}
+
+/// The flap with its feet at the ends of the edge where nothing is in the way: the profile is too
+/// coarse to tell next to a corner.
+Trapezoid widened(const SeamSide& side, Trapezoid flap, std::span<const Polygon* const> obstacles) {
+  for (const int end : {0, 1}) {
+    Trapezoid wider = flap;
+    wider.foot[end] = end == 0 ? 0 : side.length();
+    if (is_free(side, wider, obstacles)) flap = wider;
+  }
+  return flap;
+}
+
+}  // namespace
+
+Vec2 apex_beyond(const SeamSide& side, const SeamSide& other) {
+  const Vec2 p = other.local(other.third);
+  return {side.length() - p.x(), -p.y()};
+}
+
+Vec2 open_apex(const SeamSide& side) { return {0.5 * side.length(), 1e9}; }
+
+std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
+  return {side.global({flap.foot[0], 0}), side.global({flap.top[0], flap.height}),
+          side.global({flap.top[1], flap.height}), side.global({flap.foot[1], 0})};
+}
+
+FlapRoom::FlapRoom(std::span<const Net> nets, const FlapShape& shape,
+                   std::span<const std::vector<Polygon>> keep_off)
+    : nets_(nets), shape_(shape) {
+  for (const Net& net : nets) {
+    const int n = static_cast<int>(obstacles_.size());
+    obstacles_.push_back({{}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
+    for (const auto& [a, b, c] : net.corners) {
+      add(n, {net.vertices[a], net.vertices[b], net.vertices[c]});
+    }
+  }
+  for (std::size_t n = 0; n < keep_off.size(); ++n) {
+    for (const Polygon& polygon : keep_off[n]) add(static_cast<int>(n), polygon);
+  }
+}
+
+std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex) const {
+  return best(side, apex, near(side));
+}
+
+FlapMiss FlapRoom::why_none(const SeamSide& side, const Vec2& apex) const {
+  if (side.length() < shortest_base(shape_)) return FlapMiss::kShort;
+  if (!best(side, apex, {})) return FlapMiss::kThin;
+  std::vector<const Polygon*> beside;
+  for (const Polygon* obstacle : near(side)) {
+    const bool touches = std::ranges::any_of(
+        *obstacle, [&](const Vec2& p) { return p == side.from || p == side.to; });
+    const auto index = obstacle - obstacles_[side.net].polygons.data();
+    const bool is_face = index < static_cast<std::ptrdiff_t>(nets_[side.net].corners.size());
+    if (touches && is_face) beside.push_back(obstacle);
+  }
+  return best(side, apex, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
+}
+
+void FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
+  add(side.net, flap_corners(side, flap));
+}
+
+void FlapRoom::add(int net, Polygon polygon) {
+  Obstacles& all = obstacles_[net];
+  all.grid.insert(static_cast<int>(all.polygons.size()), box_of(polygon));
+  all.polygons.push_back(std::move(polygon));
+}
+
+/// Obstacles near the base, without the face it belongs to.
+std::vector<const Polygon*> FlapRoom::near(const SeamSide& side) const {
+  const Box2 reach = box_of(std::array{side.from, side.to}).grown(shape_.height + 1);
+  const Obstacles& all = obstacles_[side.net];
+  std::vector<int> found;
+  all.grid.visit(reach, [&](int i) {
+    if (i != side.face && box_of(all.polygons[i]).meets(reach)) found.push_back(i);
+    return true;
+  });
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  std::vector<const Polygon*> obstacles;
+  for (const int i : found) obstacles.push_back(&all.polygons[i]);
+  return obstacles;
+}
+
+std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
+                                        std::span<const Polygon* const> obstacles) const {
+  RoomProfile profile = open_room(side.length(), shape_.height, kFineBin);
+  for (const Polygon* obstacle : obstacles) {
+    Polygon local;
+    for (const Vec2& p : *obstacle) local.push_back(side.local(p));
+    lower_below(profile, local);
+  }
+  const auto found = best_flap(profile, apex, shape_);
+  // The profile sees the outlines of what is in the way, not what covers the base altogether.
+  if (!found || !is_free(side, *found, obstacles)) return std::nullopt;
+  return widened(side, *found, obstacles);
+}
+
+}  // namespace foldwright

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/box_grid.h"
+#include "paper/room_profile.h"
+#include "paper/seams.h"
+
+namespace foldwright {
+
+/// Why a cut edge has no flap.
+enum class FlapMiss {
+  kShort,   ///< the edge is too short for one
+  kThin,    ///< the faces on both sides are too thin to hide one
+  kNarrow,  ///< the faces beside it leave too narrow a wedge
+  kBlocked  ///< other faces or flaps are in the way
+};
+
+/// The third corner of the face beyond a cut, unfolded across the edge of `side`.
+Vec2 apex_beyond(const SeamSide& side, const SeamSide& other);
+
+/// An apex so far away that it limits nothing: of edges that have no face beyond.
+Vec2 open_apex(const SeamSide& side);
+
+/// Corners of a flap in the net's coordinates: foot, top, top, foot, counter-clockwise.
+std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap);
+
+/// The room that flaps have beside the edges of nets: it shrinks with every flap.
+class FlapRoom {
+ public:
+  using Polygon = std::vector<Vec2>;
+
+  /// `keep_off`: per net further convex polygons that flaps must not overlap; or empty. What is
+  /// given must outlive this.
+  FlapRoom(std::span<const Net> nets, const FlapShape& shape,
+           std::span<const std::vector<Polygon>> keep_off);
+
+  /// The highest flap that fits a side, within the triangle over it with this apex; none if not
+  /// even the least does.
+  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex) const;
+
+  /// What keeps a side from a flap, the first of the reasons in their order.
+  /// \pre `best` finds none
+  FlapMiss why_none(const SeamSide& side, const Vec2& apex) const;
+
+  /// Takes up the room of a flap.
+  void take(const SeamSide& side, const Trapezoid& flap);
+
+ private:
+  /// Polygons of one net that flaps must not overlap: its faces, then all else.
+  struct Obstacles {
+    std::vector<Polygon> polygons;
+    BoxGrid<2> grid;
+  };
+
+  void add(int net, Polygon polygon);
+  std::vector<const Polygon*> near(const SeamSide& side) const;
+  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
+                                std::span<const Polygon* const> obstacles) const;
+
+  std::span<const Net> nets_;
+  FlapShape shape_;
+  std::vector<Obstacles> obstacles_;  ///< per net
+};
+
+}  // namespace foldwright

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "geometry/vec.h"
+
+namespace foldwright {
+
+/// Height of capitals and digits over the size of their font.
+inline constexpr double kCapHeight = 0.72;
+
+/// Width of a text over the size of its font, at most: no common sans-serif face is wider.
+double text_width(const std::string& text);
+
+/// A straight stroke.
+struct Stroke {
+  Vec2 from, to;
+};
+
+/// The box of a text and what is kept free around it, turned.
+struct TextBox {
+  Vec2 centre, along;  ///< `along`: unit vector in the direction of reading
+  double half_width, half_height;
+
+  Vec2 up() const { return {-along.y(), along.x()}; }
+  /// Counter-clockwise from the lower left.
+  std::array<Vec2, 4> corners() const;
+};
+
+/// The box of a text in a font of this size, with `clearance` around it; mm.
+TextBox box_around(const std::string& text, double size, const Vec2& centre, const Vec2& along,
+                   double clearance);
+
+/// Whether a stroke has a point within a box.
+bool meets(const TextBox& box, const Stroke& stroke);
+
+/// Whether two strokes cross, or touch.
+bool crosses(const Stroke& a, const Stroke& b);
+
+}  // namespace foldwright

@@ -1,0 +1,116 @@
+#include <algorithm>
+
+#include "pipeline/border_rooms.h"
+#include "pipeline/paper_plan.h"
+#include "pipeline/recut_nets.h"
+#include "pipeline/stage.h"
+
+namespace foldwright {
+namespace {
+
+constexpr std::uint64_t kCompact = 6;  // names the annealing of a net in task_seed
+
+// Rounds over the nets: what a net gains at its border the others see in the next one.
+constexpr int kRounds = 2;
+
+// Work for a face, in about microseconds, and for a whole model: three seconds at most. Where a
+// model has more faces than that allows for, its edges are too short for flaps at most sizes.
+constexpr std::int64_t kWorkPerFace = 6000;
+constexpr std::int64_t kMostWork = 3000000;
+
+/// Makes nets better to craft: room for flaps, a small outline, strong necks, within the sheet; see
+/// `CraftCost`. Between the rounds those are cut again that no sheet holds all the same. Nets stay
+/// free of overlap, and those that fold straight are certified anew.
+class CompactStage : public Stage {
+ public:
+  StageId id() const override { return StageId::kCompact; }
+
+  void begin(JobState& state, TaskQueue& queue, Events&) override {
+    if (!state.options.compaction || state.nets.empty()) return;
+    scale_ = finished_scale(state);
+    begin_round(state, queue);
+  }
+
+  void complete(JobState& state, TaskQueue& queue, int task, TaskResult result, Events&) override {
+    auto& compact = std::get<CompactResult>(result);
+    const int n = nets_.at(task);
+    nets_.erase(task);
+    FoundNet& net = state.nets[n];
+    if (net.folds != compact.folds) {
+      net.folds = std::move(compact.folds);
+      if (net.motion.kind == Folding::kLine) net.motion = straight_motion(net.folds);
+    }
+    borders_->note(n, compact.borders);
+    state.moves += compact.moves;
+    if (nets_.empty() && ++round_ < kRounds) begin_round(state, queue);
+  }
+
+  double progress(const JobState& state, const Running& running) const override {
+    if (!borders_) return 1;
+    double done = static_cast<double>(state.nets.size() - nets_.size());
+    for (const auto& [task, status] : running) done += status.progress;
+    // The round that only measures counts for nothing.
+    return std::max(0.0, (round_ + done / static_cast<double>(state.nets.size())) / kRounds);
+  }
+
+ private:
+  /// Round -1 measures what room there is.
+  void begin_round(JobState& state, TaskQueue& queue) {
+    if (round_ == 1 && state.options.size.by != Sizing::kSheets) {
+      const std::size_t before = state.nets.size();
+      state.nets = recut_nets(state, std::move(state.nets), scale_);
+      if (state.nets.size() != before) borders_.reset();
+    }
+    if (!borders_) borders_.emplace(state);
+    for (int n = 0; n < static_cast<int>(state.nets.size()); ++n) queue_net(state, queue, n);
+  }
+
+  void queue_net(const JobState& state, TaskQueue& queue, int n) {
+    const FoundNet& net = state.nets[n];
+    const Component& component = state.components[net.region.component];
+    std::vector<int> panels;
+    for (const int panel : net.region.panels) panels.push_back(component.panels[panel]);
+    const std::uint64_t seed =
+        task_seed(state.options.seed, kCompact, static_cast<std::uint64_t>(n),
+                  static_cast<std::uint64_t>(round_ + 1));
+    // A net that folds over waypoints only stays as it is: its motion is known for this tree alone.
+    // So does one that an edit leaves alone.
+    const bool stays = round_ < 0 || net.motion.kind == Folding::kWaypoints || net.region.kept;
+    CompactTask task{net.folds, craft_options(state, n), {}};
+    task.annealing.work = stays ? 0 : work_for(state, panels.size());
+    task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.clearance : 0;
+    task.annealing.seed = seed;
+    nets_[queue.add(state.surface, std::move(panels), std::move(task))] = n;
+  }
+
+  static std::int64_t work_for(const JobState& state, std::size_t panels) {
+    const auto all = static_cast<std::int64_t>(state.surface->graph.panel_count());
+    const std::int64_t total = std::min(kMostWork, kWorkPerFace * all);
+    return total * static_cast<std::int64_t>(panels) / all / kRounds;
+  }
+
+  CraftOptions craft_options(const JobState& state, int n) const {
+    CraftOptions craft;
+    craft.scale = scale_;
+    craft.shape = state.options.flaps.shape;
+    if (state.options.flaps.side == FlapSide::kNone) {
+      craft.weights.flaps = 0;
+    } else {
+      craft.borders = borders_->seen_by(n);
+    }
+    // Without a wish for a size the model grows until the largest piece just fits.
+    if (state.options.size.by != Sizing::kFit) craft.room = printable(state.options.sheet);
+    return craft;
+  }
+
+  double scale_ = 1;
+  int round_ = -1;
+  std::optional<BorderRooms> borders_;
+  std::map<int, int> nets_;  ///< by task
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> make_compact_stage() { return std::make_unique<CompactStage>(); }
+
+}  // namespace foldwright

@@ -1,0 +1,168 @@
+#include "pipeline/edits.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "mesh/input_error.h"
+#include "pipeline/saved_net.h"
+
+namespace foldwright {
+namespace {
+
+using Panels = std::vector<int>;
+
+InputError bad_edit(const std::string& sentence) { return InputError("bad-edit", sentence); }
+
+std::string counted(int count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+/// "part 3", "parts 1 and 2", "parts 1, 2 and 5"
+std::string names_of(const std::vector<int>& parts) {
+  std::string names = parts.size() == 1 ? "part " : "parts ";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) names += i + 1 == parts.size() ? " and " : ", ";
+    names += std::to_string(parts[i] + 1);
+  }
+  return names;
+}
+
+bool is_connected(const DualGraph& graph) {
+  return part_count(part_pieces(graph, Labels(graph.panel_count(), 0))) == 1;
+}
+
+/// The panels of each part of the earlier result.
+std::vector<Panels> panels_by_part(const DualGraph& graph, const std::vector<int>& labels) {
+  if (labels.size() != graph.faces.size()) throw foreign_start();
+  std::vector<Panels> parts;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    const auto faces = graph.panel_faces(panel);
+    const int part = labels[faces[0]];
+    const auto strays = [&](int face) { return labels[face] != part; };
+    if (part < 0 || part >= graph.panel_count() || std::ranges::any_of(faces, strays)) {
+      throw foreign_start();
+    }
+    if (part >= static_cast<int>(parts.size())) parts.resize(part + 1);
+    parts[part].push_back(panel);
+  }
+  for (const Panels& panels : parts) {
+    if (panels.empty() || !is_connected(restrict_to(graph, panels))) throw foreign_start();
+  }
+  return parts;
+}
+
+void check_names(int part_count, std::span<const Edit> edits) {
+  std::set<int> named;
+  for (const Edit& edit : edits) {
+    if (edit.parts.empty()) throw bad_edit("an edit must name a part");
+    for (const int part : edit.parts) {
+      if (part < 0 || part >= part_count) {
+        throw bad_edit("there is no " + names_of({part}) + ": the model has " +
+                       counted(part_count, "part"));
+      }
+      if (!named.insert(part).second) {
+        throw bad_edit(names_of({part}) + " is named twice: one change at a time for each part");
+      }
+    }
+  }
+}
+
+/// What becomes of the parts that an edit names.
+Component edited(const DualGraph& graph, const std::vector<Panels>& parts, const Edit& edit) {
+  Panels panels;
+  for (const int part : edit.parts) {
+    panels.insert(panels.end(), parts[part].begin(), parts[part].end());
+  }
+  std::ranges::sort(panels);
+  Component component = make_component(graph, std::move(panels));
+  if (!is_connected(component.graph)) {
+    throw bad_edit(names_of(edit.parts) + " do not touch, so they cannot become one");
+  }
+  const int most = component.graph.panel_count();
+  if (edit.into < 1 || edit.into > most) {
+    throw bad_edit(names_of(edit.parts) + " cannot become " + counted(edit.into, "part") +
+                   ": from 1 to " + std::to_string(most) +
+                   " are possible, one for each flat panel");
+  }
+  component.parts = edit.into;
+  return component;
+}
+
+/// A part as it was, with its nets, unless they leave some of it out, as after a cancel.
+Component kept(const DualGraph& graph, int index, const Panels& panels, int number,
+               const std::vector<SavedNet>& nets) {
+  Component component = make_component(graph, panels);
+  component.parts = 1;
+  component.part_numbers = {number};
+  std::size_t covered = 0;
+  for (const SavedNet& net : nets) {
+    component.kept.push_back(load_net(component, index, net));
+    component.kept.back().region.part = number;
+    covered += net.faces.size();
+  }
+  if (covered > component.graph.faces.size()) throw foreign_start();
+  if (covered < component.graph.faces.size()) component.kept.clear();
+  return component;
+}
+
+}  // namespace
+
+EditedNumbers number_parts(int count, std::span<const Edit> edits) {
+  EditedNumbers numbers;
+  numbers.count = count;
+  numbers.of_part.resize(count);
+  std::iota(numbers.of_part.begin(), numbers.of_part.end(), 0);
+  std::set<int> open;
+  for (const Edit& edit : edits) {
+    std::vector<int>& own = numbers.of_edit.emplace_back(edit.parts);
+    std::ranges::sort(own);
+    for (const int part : own) numbers.of_part[part] = -1;
+    while (static_cast<int>(own.size()) > edit.into) open.insert(own.back()), own.pop_back();
+  }
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    std::vector<int>& own = numbers.of_edit[i];
+    while (static_cast<int>(own.size()) < edits[i].into) {
+      own.push_back(open.empty() ? numbers.count++ : open.extract(open.begin()).value());
+    }
+  }
+  const auto move_into_gaps = [&](std::vector<int>& of) {
+    for (int& number : of) {
+      if (number == numbers.count && !open.empty()) number = open.extract(open.begin()).value();
+    }
+  };
+  while (!open.empty()) {
+    --numbers.count;
+    if (open.erase(numbers.count) > 0) continue;
+    move_into_gaps(numbers.of_part);
+    for (std::vector<int>& own : numbers.of_edit) move_into_gaps(own);
+  }
+  for (std::vector<int>& own : numbers.of_edit) std::ranges::sort(own);
+  return numbers;
+}
+
+void start_from_earlier(JobState& state) {
+  const JobStart start = std::move(*std::exchange(state.start, std::nullopt));
+  const DualGraph& graph = state.surface->graph;
+  const std::vector<Panels> parts = panels_by_part(graph, start.labels);
+  check_names(static_cast<int>(parts.size()), start.edits);
+  for (const Edit& edit : start.edits) state.components.push_back(edited(graph, parts, edit));
+  const EditedNumbers numbers = number_parts(static_cast<int>(parts.size()), start.edits);
+  for (std::size_t i = 0; i < start.edits.size(); ++i) {
+    state.components[i].part_numbers = numbers.of_edit[i];
+  }
+  std::vector<std::vector<SavedNet>> nets(parts.size());
+  for (const SavedNet& net : start.nets) {
+    if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();
+    nets[net.part].push_back(net);
+  }
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    if (numbers.of_part[part] == -1) continue;
+    const int index = static_cast<int>(state.components.size());
+    state.components.push_back(kept(graph, index, parts[part], numbers.of_part[part], nets[part]));
+  }
+}
+
+}  // namespace foldwright

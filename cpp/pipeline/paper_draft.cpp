@@ -1,0 +1,129 @@
+#include "pipeline/paper_draft.h"
+
+#include <algorithm>
+
+#include "paper/gluing_order.h"
+#include "pipeline/flat_net.h"
+
+namespace foldwright {
+namespace {
+
+/// What keeps flaps on the sheet that the net fits: what is around the sheet when the net lies in
+/// its middle, in the turn that leaves most room.
+std::vector<std::vector<Vec2>> around_sheet(const Net& net, const Extent& room, double reach) {
+  const std::vector<Vec2> hull = convex_hull(footprint_of(net).points());
+  std::optional<Turn> best;
+  const auto spare = [&](const Turn& turn) {
+    return std::min(room.width - turn.box.width, room.height - turn.box.height);
+  };
+  for (const Turn& turn : upright_turns(hull)) {
+    if (!best || spare(turn) > spare(*best)) best = turn;
+  }
+  RigidMotion2 place = settle(hull, *best);
+  place.t += 0.5 * Vec2(room.width - best->box.width, room.height - best->box.height);
+  const RigidMotion2 back = place.inverse();
+  const auto box = [&](double x0, double y0, double x1, double y1) {
+    return std::vector<Vec2>{back({x0, y0}), back({x1, y0}), back({x1, y1}), back({x0, y1})};
+  };
+  const double width = room.width;
+  const double height = room.height;
+  return {box(-reach, -reach, 0, height + reach), box(width, -reach, width + reach, height + reach),
+          box(-reach, -reach, width + reach, 0),
+          box(-reach, height, width + reach, height + reach)};
+}
+
+void sort_for_gluing(PaperDraft& draft) {
+  std::vector<FoundNet> nets;
+  std::vector<Net> flat;
+  for (const int i : gluing_order(draft.flat)) {
+    nets.push_back(std::move(draft.nets[i]));
+    flat.push_back(std::move(draft.flat[i]));
+  }
+  draft.nets = std::move(nets);
+  draft.flat = std::move(flat);
+}
+
+}  // namespace
+
+PaperDrafter::PaperDrafter(const JobState& state, double scale, int effort)
+    : state_(state), scale_(scale), effort_(effort), cutter_(state, state.nets, scale) {}
+
+bool PaperDrafter::step() {
+  switch (phase_) {
+    case Phase::kCut:
+      if (cutter_.step()) begin_pieces();
+      return false;
+    case Phase::kFlaps:
+      if (place_flaps_on_sheets()) begin_packing();
+      return false;
+    case Phase::kPack:
+      if (!planner_->step()) return false;
+      finish();
+      return true;
+  }
+  return true;
+}
+
+void PaperDrafter::begin_pieces() {
+  draft_.nets = cutter_.take();
+  for (const FoundNet& net : draft_.nets) draft_.flat.push_back(flatten(state_, net, scale_));
+  sort_for_gluing(draft_);
+  for (const FoundNet& net : draft_.nets) parts_.push_back(net.region.part);
+  draft_.names = piece_names(parts_, state_.options.names);
+  phase_ = Phase::kFlaps;
+}
+
+/// Flaps for nets that fit the sheet, so that they fit it still; false if some do not yet.
+bool PaperDrafter::place_flaps_on_sheets() {
+  const FlapOptions& options = state_.options.flaps;
+  const Extent room = printable(state_.options.sheet);
+  draft_.flaps = place_flaps(state_.surface->mesh, draft_.flat, options, keep_off_);
+  keep_off_.resize(draft_.flat.size());
+  bool fits_all = true;
+  for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
+    // Flaps that one net must do without may go to another, which then is looked at as well.
+    if (!keep_off_[i].empty()) continue;
+    if (fits_somehow(footprint_of(draft_.flat[i], draft_.flaps.flaps[i]).points(), room)) continue;
+    keep_off_[i] = around_sheet(draft_.flat[i], room, 2 * options.shape.height);
+    fits_all = false;
+  }
+  return fits_all;
+}
+
+void PaperDrafter::begin_packing() {
+  for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
+    draft_.prints.push_back(footprint_of(draft_.flat[i], draft_.flaps.flaps[i]));
+  }
+  pins_.resize(draft_.nets.size());
+  for (const PinnedPiece& pinned : state_.options.pins) {
+    const auto is_it = [&](std::size_t i) {
+      return parts_[i] == pinned.part && draft_.flat[i].faces[0] == pinned.face;
+    };
+    bool is_found = false;
+    for (std::size_t i = 0; i < pins_.size() && !is_found; ++i) {
+      is_found = is_it(i);
+      if (is_found) pins_[i] = pinned.pin;
+    }
+    if (!is_found) ++draft_.lost_pins;
+  }
+  planner_.emplace(
+      SheetTask{draft_.prints, state_.options.sheet, parts_, pins_, draft_.names, effort_});
+  phase_ = Phase::kPack;
+}
+
+void PaperDrafter::finish() {
+  draft_.sheets = planner_->take();
+  draft_.sheets.scale = scale_;
+  for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
+    const RigidMotion2& turn = draft_.sheets.turns[i];
+    for (Vec2& p : draft_.flat[i].vertices) p = turn(p);
+    for (auto& polygon : draft_.prints[i].polygons) {
+      for (Vec2& p : polygon) p = turn(p);
+    }
+    for (Flap& flap : draft_.flaps.flaps[i]) {
+      for (Vec2& p : flap.corners) p = turn(p);
+    }
+  }
+}
+
+}  // namespace foldwright

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "segment/foldability.h"
+#include "segment/labels.h"
+
+namespace foldwright {
+
+/// Splits a part into so many connected ones, by foldability among its own panels and by shape.
+///
+/// Differs from `segment` in how much the two count: a part has a net, or nearly, so that its
+/// foldability tells little but which few panels are awkward, and sharp affinities would cut off
+/// just those. `matrix`: one row per panel. \pre graph is connected, 0 < parts <= its panels
+Labels subdivide(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+                 int parts, std::uint64_t seed);
+
+}  // namespace foldwright

@@ -1,0 +1,16 @@
+#include "nets.h"
+
+#include "search/tree_search.h"
+
+namespace foldwright::testing {
+
+Net net_of(const Mesh& mesh, double size) {
+  const DualGraph graph = build_dual_graph(mesh);
+  TreeSearch search(mesh, graph);
+  while (search.step(100000) == TreeSearch::State::kRunning) continue;
+  Net net = make_net(mesh, graph, search.best());
+  for (Vec2& p : net.vertices) p *= size / 2;
+  return net;
+}
+
+}  // namespace foldwright::testing

@@ -1,0 +1,157 @@
+/** Parts of a result are chosen, split and merged, and all of that can be taken back. */
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+import { phone, type StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+
+const part = (page: Page, number: number) =>
+  page.getByRole('button', { name: new RegExp(`^Part ${number}, piece`) });
+const press = (page: Page, name: string) => page.getByRole('button', { name }).click();
+
+async function open(studio: StudioPage, parts: number): Promise<void> {
+  await studio.page.fill('#parts', String(parts));
+  await studio.choose('ring.obj', objText(wavyRing(12)));
+  await studio.resultOf('ring');
+}
+
+/** The numbers of the parts that are chosen. */
+async function chosen(page: Page): Promise<number[]> {
+  const names = await page
+    .locator('.part[aria-pressed="true"] span:not(.part__swatch)')
+    .allInnerTexts();
+  return names.map((name) => Number(name.replace('Part ', '')));
+}
+
+/** Clicks a piece on a sheet, somewhere inside: the middle of its box may lie outside. */
+async function clickPiece(page: Page, selector: string): Promise<void> {
+  const piece = page.locator(selector).first();
+  await piece.scrollIntoViewIfNeeded();
+  const [x, y] = await piece.evaluate((path: SVGPathElement) => {
+    const { x: left, y: top, width, height } = path.getBBox();
+    const shares = Array.from({ length: 30 }, (_, i) => (i + 0.5) / 30);
+    const points = shares.flatMap((u) =>
+      shares.map((v) => new DOMPoint(left + u * width, top + v * height)),
+    );
+    const inside = points.find((point) => path.isPointInFill(point))!;
+    const place = inside.matrixTransform(path.getScreenCTM()!);
+    return [place.x, place.y] as const;
+  });
+  await page.mouse.click(x, y);
+}
+
+/** The hash of the result that a change leads to. */
+async function changed(studio: StudioPage, before: string): Promise<string> {
+  await studio.page.locator(`#result:not([data-hash="${before}"])`).waitFor();
+  return studio.resultOf('ring');
+}
+
+test('a part is split, two are merged, and both are taken back', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio, 4);
+    const lead = page.locator('#result-lead');
+    const first = (await page.locator('#result').getAttribute('data-hash')) ?? '';
+    expect(await page.locator('#undo').isHidden()).toBe(true);
+
+    await part(page, 2).click();
+    expect(await page.locator('[data-area][data-selected]').count()).toBe(1);
+    await press(page, 'Split this part');
+    const split = await changed(studio, first);
+    expect(await lead.innerText()).toMatch(/^5 parts/);
+    expect(await chosen(page)).toEqual([2, 5]);
+    await studio.drawn('#model-picture');
+    await studio.picture('edits-split');
+
+    await press(page, 'Merge these two');
+    const merged = await changed(studio, split);
+    expect(await lead.innerText()).toMatch(/^4 parts/);
+    expect(await chosen(page)).toEqual([2]);
+
+    await press(page, 'Undo: merging of parts 2 and 5');
+    expect(await changed(studio, merged)).toBe(split);
+    await press(page, 'Undo: split of part 2');
+    expect(await changed(studio, split)).toBe(first);
+    expect(await page.locator('#undo').isHidden()).toBe(true);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a click on the model or on a sheet chooses a part', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio, 2);
+    await studio.drawn('#model-picture');
+    const box = (await page.locator('#model-picture').boundingBox())!;
+    // The ring is seen from above: left of the middle is its nearer tube.
+    await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+    await expect.poll(() => chosen(page).then(({ length }) => length)).toBe(1);
+    const [picked] = await chosen(page);
+    await page.mouse.click(box.x + 2, box.y + 2);
+    await clickPiece(page, '[data-area]:not([data-selected])');
+    expect(await chosen(page)).toEqual([1, 2]);
+    await clickPiece(page, '[data-area]');
+    expect(await chosen(page)).toHaveLength(1);
+    expect([1, 2]).toContain(picked);
+    // A drag turns the model and chooses nothing.
+    const before = await chosen(page);
+    await page.mouse.move(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(300);
+    expect(await chosen(page)).toEqual(before);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('the keyboard alone is enough, and what cannot be done is said', () =>
+  withStudio(
+    async (studio) => {
+      const { page } = studio;
+      await open(studio, 3);
+      const first = (await page.locator('#result').getAttribute('data-hash')) ?? '';
+      await page.locator('#split').focus();
+      await page.keyboard.press('Enter');
+      expect(await page.locator('#progress').isHidden()).toBe(true);
+      await part(page, 1).focus();
+      await page.keyboard.press('Space');
+      await page.fill('#split-into', '50');
+      await page.locator('#split').focus();
+      await page.keyboard.press('Enter');
+      const second = await changed(studio, first);
+      expect(await page.locator('#result-lead').innerText()).toMatch(/^52 parts/);
+      await studio.picture('edits-phone');
+      await page.locator('#undo').focus();
+      await page.keyboard.press('Enter');
+      expect(await changed(studio, second)).toBe(first);
+      expect(await page.evaluate(() => document.activeElement?.id)).toBe('split');
+      expect(studio.complaints).toEqual([]);
+    },
+    { viewport: phone },
+  ));
+
+test('a change that is cancelled, or cannot be made, leaves the result as it was', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '2');
+    // Long enough to be cancelled.
+    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '30000'));
+    await studio.choose('ring.obj', objText(wavyRing(6)));
+    await page.locator('#result-title', { hasText: 'ring' }).waitFor({ timeout: 120_000 });
+    const first = await studio.resultOf('ring');
+    await part(page, 1).click();
+    await press(page, 'Split this part');
+    await page.locator('#parts-card #cancel').click();
+    await page.locator('#progress').waitFor({ state: 'hidden' });
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(first);
+    expect(await chosen(page)).toEqual([1]);
+    expect(await page.locator('#announcement').innerText()).toBe('Cancelled. All is as it was.');
+
+    await page.locator('#split-into').evaluate((field: HTMLInputElement) => (field.max = '100'));
+    await page.fill('#split-into', '100');
+    await press(page, 'Split this part');
+    expect(await studio.message()).toMatch(/^Nothing was changed\s+Part 1 cannot become 100 parts/);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(first);
+    expect(studio.complaints).toEqual([]);
+  }));

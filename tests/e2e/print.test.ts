@@ -1,0 +1,115 @@
+/** How sheets are printed: the fields beside them, and what comes of it on the screen and in the files. */
+import { readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import { checkGuides } from '../web/guide-check.js';
+import { readPdf } from '../web/pdf-file.js';
+import { readSheet } from '../web/sheet-file.js';
+import { useStudio } from './studio-fixture.js';
+import type { StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+
+const sample = readFileSync('dist/studio/samples/house.obj');
+
+/** Unfolds a model with this name. */
+async function unfold(studio: StudioPage, name: string): Promise<string> {
+  // Few faces: the search is not what is looked at here.
+  await studio.page.fill('#parts', '2');
+  await studio.choose(`${name}.obj`, sample);
+  return studio.resultOf(name);
+}
+
+const fontsOf = (studio: StudioPage) => studio.requests.filter((name) => name.endsWith('.woff'));
+
+test('every field redraws the sheets at once, without another search', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const hash = await unfold(studio, 'house');
+    const cut = page.locator('.sheet [data-layer="cut"] path').first();
+    const says = (words: string) => page.locator('.sheet text', { hasText: words }).first();
+    const width = (value: string) =>
+      page.locator(`.sheet [data-layer="cut"] [stroke-width="${value}"]`);
+
+    await page.getByText('Colours, widths and dashes').click();
+    await page.selectOption('#print-style', 'blender');
+    await width('0.3').first().waitFor();
+    await page.locator('.sheet [data-layer="flap"] [fill="#e6e6e6"]').first().waitFor();
+    await page.selectOption('#print-style', 'pepakura');
+    await width('0.15').first().waitFor();
+    await page.fill('#cut-width', '0.4');
+    await width('0.4').first().waitFor();
+    await page.fill('#mountain-dash', '3 2');
+    await page.locator('.sheet [stroke-dasharray="3 2"]').first().waitFor();
+    await page.locator('#cut-colour').fill('#c02020');
+    await page.locator('.sheet [stroke="#c02020"]').first().waitFor();
+    await page.check('#print-angles');
+    await says('°').waitFor();
+    await says('mountain fold').waitFor();
+    await page.uncheck('#print-legend');
+    await says('mountain fold').waitFor({ state: 'detached' });
+    await page.fill('#print-flat-fold', '180');
+    await page.locator('.sheet [data-layer="cut"]').first().waitFor();
+    await says('°').waitFor({ state: 'detached' });
+
+    expect(await cut.getAttribute('stroke')).toBe('#c02020');
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    await studio.picture('print-1-fields');
+    const svg = await studio.download('SVG');
+    const text = svg.bytes.toString('latin1');
+    if (svg.name.endsWith('.svg')) expect(text).toContain('stroke="#c02020" stroke-width="0.4"');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a measured printer is corrected, said so, and remembered', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    expect(await page.locator('#measured-badge').isVisible()).toBe(false);
+    await page.fill('#measured-across', '49.5');
+    await page.fill('#measured-up', '50.2');
+    await page
+      .locator('.sheet text', { hasText: 'corrected for 49.5 × 50.2 mm' })
+      .first()
+      .waitFor();
+    expect(await page.locator('#measured-badge').innerText()).toContain('49.5 × 50.2 mm');
+    expect(await page.locator('#measured-state').innerText()).toContain('1.0 % longer across');
+    const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
+    const factors: [number, number] = [50 / 49.5, 50 / 50.2];
+    expect(
+      checkGuides(
+        pages.map(({ sheet }) => sheet),
+        10,
+        factors,
+      ),
+    ).toEqual([]);
+
+    await page.reload();
+    await page.locator('.sample').first().waitFor();
+    await unfold(studio, 'again');
+    await page.locator('#measured-badge').waitFor();
+    await page.click('#measured-reset');
+    await page.locator('#measured-badge').waitFor({ state: 'hidden' });
+    const svg = await studio.download('SVG');
+    if (svg.name.endsWith('.svg'))
+      expect(checkGuides([readSheet(svg.bytes.toString())], 10)).toEqual([]);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('fonts come only when letters need them', () =>
+  withStudio(async (studio) => {
+    await unfold(studio, 'house');
+    expect(fontsOf(studio)).toEqual([]);
+    await studio.download('PDF');
+    expect(fontsOf(studio)).toHaveLength(1);
+
+    await unfold(studio, '折り紙 🐳');
+    expect(fontsOf(studio).some((name) => name.includes('biz-udpgothic'))).toBe(true);
+    expect(fontsOf(studio).length).toBeLessThan(6);
+    expect(await studio.page.locator('#remarks').innerText()).toContain('No font has 🐳');
+    const outlines = studio.page.locator('.sheet [data-text="折り紙 🐳"]');
+    expect(await outlines.count()).toBeGreaterThan(0);
+    const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
+    expect(pages[0]!.texts.map(({ text }) => text).join('')).toContain('折り紙');
+    await studio.picture('print-2-japanese');
+    expect(studio.complaints).toEqual([]);
+  }));

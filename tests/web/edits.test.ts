@@ -1,0 +1,92 @@
+/** Parts are split and merged through workers, and nothing else of the files changes. */
+import { describe, expect, it } from 'vitest';
+import { runJob, type RunOptions, type TimedResult } from '../../web/core/client.js';
+import { writeFold } from '../../web/export/fold.js';
+import { defaultOptions } from '../../web/model/default-options.js';
+import { merging, splitting, startFrom } from '../../web/model/edits.js';
+import type { JobResult } from '../../web/model/job.js';
+import { checkFold } from './fold-check.js';
+import { parseFold } from './fold-file.js';
+import { objText, wavyRing } from './model-text.js';
+import { isEngineBuilt, withThreads } from './thread-pool.js';
+
+const bytes = new TextEncoder().encode(objText(wavyRing(12)));
+// Of a fixed size, so that coordinates do not follow the largest piece.
+const options = { ...defaultOptions, parts: 5, sizing: 'height', size: 100 } as const;
+
+function run(workers: number, runOptions: RunOptions = {}): Promise<TimedResult> {
+  return withThreads(workers, (pool) => runJob(pool, bytes, 'ring.obj', options, runOptions));
+}
+
+/** What the FOLD file says of the pieces of each part, but for their place in the order of gluing. */
+function framesByPart(result: JobResult): Map<number, string[]> {
+  const frames = new Map<number, string[]>();
+  const { file_frames } = JSON.parse(writeFold(result)) as {
+    file_frames: Record<string, unknown>[];
+  };
+  for (const frame of file_frames) {
+    const part = frame['foldwright:part'] as number;
+    const text = JSON.stringify({ ...frame, frame_title: '', 'foldwright:piece': 0 });
+    frames.set(part, [...(frames.get(part) ?? []), text]);
+  }
+  return frames;
+}
+
+/** Two parts that share an edge of the model. */
+function touching({ labels, pieces }: JobResult): [number, number] {
+  const partOf = new Map<number, number>();
+  for (const { modelEdges, part } of pieces) {
+    for (const edge of modelEdges) {
+      const other = partOf.get(edge) ?? part;
+      if (other !== part) return [Math.min(part, other), Math.max(part, other)];
+      partOf.set(edge, part);
+    }
+  }
+  throw new Error(`There is one part only, of ${labels.length} faces`);
+}
+
+describe.skipIf(!isEngineBuilt)('edits', () => {
+  it('split a part and leave the pieces of all others as they are, byte by byte', async () => {
+    const before = await run(2);
+    const after = await run(2, { start: startFrom(before, [splitting(1, 3)]) });
+    expect(after.parts).toBe(7);
+    expect(checkFold(parseFold(writeFold(after)))).toEqual([]);
+    const [old, now] = [framesByPart(before), framesByPart(after)];
+    for (const part of [0, 2, 3, 4]) expect(now.get(part)).toEqual(old.get(part));
+    expect(now.get(1)).not.toEqual(old.get(1));
+    const made = after.labels.map((part) => (part > 4 ? 1 : part));
+    expect(made).toEqual(before.labels);
+  });
+
+  it('merge parts and leave the pieces of all others as they are, byte by byte', async () => {
+    const before = await run(1);
+    const [a, b] = touching(before);
+    const after = await run(1, { start: startFrom(before, [merging([a, b])]) });
+    expect(after.parts).toBe(4);
+    expect(checkFold(parseFold(writeFold(after)))).toEqual([]);
+    const [old, now] = [framesByPart(before), framesByPart(after)];
+    for (const part of [0, 1, 2, 3].filter((other) => other !== a && other !== b)) {
+      expect(now.get(part)).toEqual(old.get(part));
+    }
+  });
+
+  it('give the same whoever works on them', async () => {
+    const before = await run(1);
+    const start = startFrom(before, [splitting(2)]);
+    const [one, three] = [await run(1, { start }), await run(3, { start })];
+    expect(three.hash).toBe(one.hash);
+    expect(await run(1, { start: startFrom(before, []) })).toMatchObject({ hash: before.hash });
+  });
+
+  it('are refused in one sentence when they cannot be made', async () => {
+    const before = await run(1);
+    await expect(run(1, { start: startFrom(before, [splitting(9)]) })).rejects.toMatchObject({
+      code: 'bad-edit',
+      message: 'there is no part 10: the model has 5 parts',
+    });
+    const labels = before.labels.slice(1);
+    await expect(run(1, { start: { ...startFrom(before, []), labels } })).rejects.toMatchObject({
+      code: 'bad-start',
+    });
+  });
+});

@@ -1,0 +1,226 @@
+/** Reads back what a PDF draws, page by page, with pdf.js; nothing here comes from the exporter. */
+import { getDocument, OPS, type PDFPageProxy } from 'pdfjs-dist/legacy/build/pdf.mjs';
+import {
+  stripNumber,
+  type GuideLines,
+  type PieceLines,
+  type Point,
+  type SheetFile,
+  type SheetText,
+} from './sheet-file.js';
+
+/** A path as it is painted, in mm from the lower left. */
+export interface PdfPath {
+  paint: 'stroke' | 'fill';
+  /** Of a stroke; mm. */
+  width: number;
+  dash: number[];
+  colour: string;
+  closed: boolean;
+  points: Point[];
+}
+
+export interface PdfPage {
+  sheet: SheetFile;
+  /** Everything on the page, in the order in which it is painted. */
+  paths: PdfPath[];
+  texts: SheetText[];
+}
+
+export interface PdfFile {
+  pages: PdfPage[];
+  /** What the print dialogue is told. */
+  scaling: unknown;
+  title: unknown;
+}
+
+const millimetres = 25.4 / 72;
+
+/** What pdf.js encodes in a path, besides the curves that do not occur here. */
+const pathStep = { moveTo: 0, lineTo: 1, close: 4 };
+
+function walksOf(data: ArrayLike<number>): { points: Point[]; closed: boolean }[] {
+  const walks: { points: Point[]; closed: boolean }[] = [];
+  for (let i = 0; i < data.length;) {
+    const step = data[i];
+    if (step === pathStep.close) {
+      walks.at(-1)!.closed = true;
+      i += 1;
+      continue;
+    }
+    const point: Point = [data[i + 1]! * millimetres, data[i + 2]! * millimetres];
+    if (step === pathStep.moveTo) walks.push({ points: [point], closed: false });
+    else if (step === pathStep.lineTo) walks.at(-1)!.points.push(point);
+    else throw new Error(`a path has a step ${step}`);
+    i += 3;
+  }
+  return walks;
+}
+
+interface Glyph {
+  unicode: string;
+  /** In thousandths of the size of the font. */
+  width: number;
+}
+
+/** The content of a page as it is told operator by operator. */
+class PageReader {
+  readonly paths: { path: PdfPath; mark: string }[] = [];
+  readonly texts: { text: SheetText; mark: string }[] = [];
+  private line = { width: 0, dash: [] as number[] };
+  private colours = { stroke: '', fill: '' };
+  private saved: (typeof this.line)[] = [];
+  private marks: string[] = [];
+  private size = 0;
+  private matrix: number[] = [];
+
+  private get mark(): string {
+    return this.marks.at(-1) ?? '';
+  }
+
+  read(operator: number, values: unknown[]): void {
+    switch (operator) {
+      case OPS.save:
+        this.saved.push(this.line);
+        break;
+      case OPS.restore:
+        this.line = this.saved.pop()!;
+        break;
+      case OPS.transform:
+        throw new Error('something is moved, turned or scaled');
+      case OPS.setLineWidth:
+        this.line = { ...this.line, width: Number(values[0]) * millimetres };
+        break;
+      case OPS.setDash:
+        this.line = {
+          ...this.line,
+          dash: (values[0] as number[]).map((length) => length * millimetres),
+        };
+        break;
+      case OPS.setStrokeRGBColor:
+        this.colours.stroke = String(values[0]);
+        break;
+      case OPS.setFillRGBColor:
+        this.colours.fill = String(values[0]);
+        break;
+      case OPS.constructPath:
+        this.path(values[0] as number, (values[1] as [ArrayLike<number>])[0]);
+        break;
+      case OPS.beginMarkedContent:
+        this.marks.push((values[0] as { name: string }).name);
+        break;
+      case OPS.endMarkedContent:
+        this.marks.pop();
+        break;
+      case OPS.setFont:
+        this.size = Number(values[1]) * millimetres;
+        break;
+      case OPS.setTextMatrix:
+        this.matrix = Array.from(values[0] as number[]);
+        break;
+      case OPS.showText:
+        this.text(values[0] as (Glyph | number)[]);
+        break;
+      default:
+    }
+  }
+
+  private path(painter: number, data: ArrayLike<number>): void {
+    const paint = painter === OPS.fill ? 'fill' : 'stroke';
+    for (const walk of walksOf(data)) {
+      this.paths.push({
+        path: { ...walk, ...this.line, paint, colour: this.colours[paint] },
+        mark: this.mark,
+      });
+    }
+  }
+
+  private text(glyphs: (Glyph | number)[]): void {
+    const letters = glyphs.filter((glyph) => typeof glyph !== 'number');
+    const [cosine, sine, , , x, y] = this.matrix.map(Number);
+    const width = (this.size * letters.reduce((sum, glyph) => sum + glyph.width, 0)) / 1000;
+    const text: SheetText = {
+      text: letters.map(({ unicode }) => unicode).join(''),
+      at: [x! * millimetres + (cosine! * width) / 2, y! * millimetres + (sine! * width) / 2],
+      angle: (Math.atan2(sine!, cosine!) * 180) / Math.PI,
+      size: this.size,
+      width,
+    };
+    this.texts.push({ text, mark: this.mark });
+  }
+}
+
+function pieceOf(reader: PageReader, name: string): PieceLines {
+  const mark = `piece-${name}`;
+  const guides = reader.paths.filter((line) => line.mark === `guide-${name}`);
+  const piece: PieceLines = {
+    cuts: [],
+    mountains: [],
+    valleys: [],
+    guides: guides.map(({ path }): [Point, Point] => [path.points[0]!, path.points[1]!]),
+    texts: reader.texts.filter((line) => line.mark === mark).map(({ text }) => text),
+  };
+  for (const { path } of reader.paths.filter((line) => line.mark === mark)) {
+    const { paint, dash, closed, points } = path;
+    if (paint === 'fill') continue;
+    if (dash.length === 0) {
+      if (!closed) throw new Error('a cut is not closed');
+      piece.cuts.push(points);
+    } else {
+      piece[dash.length === 2 ? 'mountains' : 'valleys'].push([points[0]!, points[1]!]);
+    }
+  }
+  return piece;
+}
+
+async function readPage(page: PDFPageProxy): Promise<PdfPage> {
+  const { fnArray, argsArray } = await page.getOperatorList();
+  const reader = new PageReader();
+  fnArray.forEach((operator, i) => reader.read(operator, (argsArray[i] ?? []) as unknown[]));
+  const marks = new Set(reader.paths.map(({ mark }) => mark));
+  const pieces = new Map<string, PieceLines>();
+  const strips = new Map<number, PieceLines>();
+  for (const mark of marks) {
+    const name = /^piece-(.*)$/.exec(mark)?.[1];
+    if (name === undefined) continue;
+    const strip = stripNumber(name);
+    if (strip === null) pieces.set(name, pieceOf(reader, name));
+    else strips.set(strip, pieceOf(reader, name));
+  }
+  const ofGuide = <Item extends { mark: string }>(items: Item[]): Item[] =>
+    items.filter(({ mark }) => mark === 'guide');
+  const guide: GuideLines = {
+    strokes: ofGuide(reader.paths).map(({ path }) => path.points),
+    texts: ofGuide(reader.texts).map(({ text }) => text),
+  };
+  const [, , width, height] = page.view;
+  return {
+    sheet: {
+      width: width! * millimetres,
+      height: height! * millimetres,
+      pieces,
+      strips,
+      guide,
+    },
+    paths: reader.paths.map(({ path }) => path),
+    texts: reader.texts.map(({ text }) => text),
+  };
+}
+
+/** @throws if anything but straight lines is drawn, or anything is moved after it was drawn */
+export async function readPdf(bytes: Uint8Array): Promise<PdfFile> {
+  const task = getDocument({ data: bytes.slice(), useSystemFonts: false, verbosity: 0 });
+  const document = await task.promise;
+  const preferences: { PrintScaling?: unknown } | null = await document.getViewerPreferences();
+  const { info } = await document.getMetadata();
+  const pages: PdfPage[] = [];
+  for (let number = 1; number <= document.numPages; ++number) {
+    pages.push(await readPage(await document.getPage(number)));
+  }
+  await task.destroy();
+  return {
+    pages,
+    scaling: preferences?.PrintScaling,
+    title: (info as { Title?: unknown }).Title,
+  };
+}

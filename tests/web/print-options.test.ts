@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { lookOf } from '../../web/export/line-style.js';
+import { parseCommandLine } from '../../web/cli/command-line.js';
+import { printOptions } from '../../web/cli/options.js';
+import { defaultPrint } from '../../web/model/print-options.js';
+
+const optionsOf = (...args: string[]) =>
+  printOptions(parseCommandLine(['a.obj', ...args]).settings);
+
+describe('print options', () => {
+  it('are the defaults when nothing is asked for', () => {
+    expect(optionsOf()).toEqual({
+      ...defaultPrint,
+      lines: { cut: {}, mountain: {}, valley: {} },
+    });
+  });
+
+  it('keep what the style says where nothing else is asked for', () => {
+    const { lines, flaps } = lookOf(
+      optionsOf('--style', 'blender', '--cut-width', '0.4', '--mountain-dash', '2,1'),
+    );
+    expect(lines.cut).toEqual({ width: 0.4, colour: '#000000', dash: [] });
+    expect(lines.mountain).toEqual({ width: 0.2, colour: '#000000', dash: [2, 1] });
+    expect(lines.valley.dash).toHaveLength(4);
+    expect(flaps).toBe('#e6e6e6');
+  });
+
+  it('take colours, solid folds and what rulers measure', () => {
+    const options = optionsOf(
+      ...['--valley-colour', '#C02020', '--valley-dash', 'solid', '--flap-colour', '#eeeeee'],
+      ...['--measured', '49.6,50.25', '--fold-angles', 'on', '--legend', 'off'],
+    );
+    expect(options.lines.valley).toEqual({ colour: '#c02020', dash: [] });
+    expect(options).toMatchObject({
+      flaps: '#eeeeee',
+      measured: [49.6, 50.25],
+      foldAngles: true,
+      legend: false,
+    });
+  });
+
+  it.each([
+    ['--style', 'origami', 'is not foldwright or pepakura or blender'],
+    ['--cut-width', '5', 'is not a number from 0.01 to 2, nor style'],
+    ['--mountain-dash', '1,2,3', 'is neither solid nor lengths of dashes and gaps in turn'],
+    ['--cut-colour', 'red', 'is not #RRGGBB, nor style'],
+    ['--measured', '50', 'is not two values with a comma between them, nor off'],
+    ['--measured', '50,60', 'is not a number from 45 to 55, nor off'],
+    ['--fold-angles', 'yes', 'is not on or off'],
+  ])('refuse %s %s', (name, value, sentence) => {
+    expect(() => optionsOf(name, value)).toThrow(`option '${name}': '${value}' ${sentence}`);
+  });
+});

@@ -1,0 +1,194 @@
+import { lookOf } from '../export/line-style.js';
+import {
+  defaultPrint,
+  isCalibrated,
+  measurable,
+  rulerLength,
+  type LineKind,
+  type LineStyle,
+  type PrintOptions,
+  type PrintStyle,
+} from '../model/print-options.js';
+import { find } from './dom.js';
+
+const styles: readonly PrintStyle[] = ['foldwright', 'pepakura', 'blender'];
+const kinds: readonly LineKind[] = ['cut', 'mountain', 'valley'];
+
+/** Grey as light as a printer can make it evenly. */
+const shade = '#e6e6e6';
+
+/** Where the lengths that were measured are kept from one visit to the next. */
+const memory = 'foldwright.measured';
+
+/** The fields of one kind of line. */
+interface LineFields {
+  width: HTMLInputElement;
+  colour: HTMLInputElement;
+  /** Folds only: cuts are solid. */
+  dash: HTMLInputElement | null;
+  /** Shows what they come to. */
+  sample: SVGPathElement;
+}
+
+/** '1.5 0.8' as lengths; null if it is none, or not a dash and a gap in turn. */
+function parseDash(text: string): number[] | null {
+  const words = text.split(/[\s,;]+/).filter((word) => word !== '');
+  const lengths = words.map(Number);
+  const makesSense = lengths.every((length) => length >= 0.05 && length <= 50);
+  return makesSense && lengths.length % 2 === 0 ? lengths : null;
+}
+
+function number(field: HTMLInputElement, fallback: number): number {
+  return field.value !== '' && field.validity.valid ? field.valueAsNumber : fallback;
+}
+
+/** The fields beside the sheets, for how they are drawn: every change shows at once. */
+export class PrintPanel {
+  /** Called after every change. */
+  onChange: () => void = () => undefined;
+
+  private readonly panel = find('#print', HTMLElement);
+  private readonly style = find('#print-style', HTMLSelectElement);
+  private readonly shaded = find('#print-flaps', HTMLInputElement);
+  private readonly flatFold = find('#print-flat-fold', HTMLInputElement);
+  private readonly angles = find('#print-angles', HTMLInputElement);
+  private readonly legend = find('#print-legend', HTMLInputElement);
+  private readonly across = find('#measured-across', HTMLInputElement);
+  private readonly up = find('#measured-up', HTMLInputElement);
+  private readonly state = find('#measured-state', HTMLElement);
+  private readonly badge = find('#measured-badge', HTMLElement);
+  private readonly lines: Readonly<Record<LineKind, LineFields>>;
+
+  constructor() {
+    const fields = (kind: LineKind): LineFields => ({
+      width: find(`#${kind}-width`, HTMLInputElement),
+      colour: find(`#${kind}-colour`, HTMLInputElement),
+      dash: kind === 'cut' ? null : find(`#${kind}-dash`, HTMLInputElement),
+      sample: find(`#${kind}-sample`, SVGPathElement),
+    });
+    this.lines = { cut: fields('cut'), mountain: fields('mountain'), valley: fields('valley') };
+    this.flatFold.placeholder = String(defaultPrint.flatFold);
+    for (const field of [this.across, this.up]) {
+      Object.assign(field, {
+        min: measurable.least,
+        max: measurable.most,
+        placeholder: rulerLength,
+      });
+    }
+    this.recall();
+    this.fillIn();
+    this.explain();
+    this.style.addEventListener('input', () => this.fillIn());
+    this.panel.addEventListener('input', () => this.change());
+    find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
+      this.across.value = this.up.value = '';
+      this.change();
+    });
+  }
+
+  /** What the fields say now; the default where one makes no sense. */
+  read(): PrintOptions {
+    const style = this.chosenStyle();
+    const look = lookOf({ ...defaultPrint, style });
+    const lines: Partial<Record<LineKind, Partial<LineStyle>>> = {};
+    for (const kind of kinds) lines[kind] = this.differing(kind, look.lines[kind]);
+    return {
+      style,
+      lines,
+      flaps: this.shaded.checked ? shade : 'none',
+      flatFold: number(this.flatFold, defaultPrint.flatFold),
+      foldAngles: this.angles.checked,
+      legend: this.legend.checked,
+      measured: [number(this.across, rulerLength), number(this.up, rulerLength)],
+    };
+  }
+
+  private chosenStyle(): PrintStyle {
+    return styles.find((name) => name === this.style.value) ?? defaultPrint.style;
+  }
+
+  /** What the fields of a kind say that its style does not. */
+  private differing(kind: LineKind, base: LineStyle): Partial<LineStyle> {
+    const { width, colour, dash } = this.lines[kind];
+    const wished: LineStyle = {
+      width: number(width, base.width),
+      colour: colour.value,
+      dash: (dash && parseDash(dash.value)) ?? base.dash,
+    };
+    return {
+      ...(wished.width !== base.width && { width: wished.width }),
+      ...(wished.colour !== base.colour && { colour: wished.colour }),
+      ...(wished.dash.join() !== base.dash.join() && { dash: wished.dash }),
+    };
+  }
+
+  /** Shows what the style is made of. */
+  private fillIn(): void {
+    const look = lookOf({ ...defaultPrint, style: this.chosenStyle() });
+    for (const kind of kinds) {
+      const { width, colour, dash } = look.lines[kind];
+      const fields = this.lines[kind];
+      fields.width.value = String(width);
+      fields.colour.value = colour;
+      if (fields.dash) fields.dash.value = dash.join(' ');
+    }
+    this.shaded.checked = look.flaps !== 'none';
+  }
+
+  private change(): void {
+    for (const kind of kinds) {
+      const { dash } = this.lines[kind];
+      dash?.setAttribute('aria-invalid', String(parseDash(dash.value) === null));
+    }
+    for (const field of this.panel.querySelectorAll<HTMLInputElement>('[type=number]')) {
+      field.setAttribute('aria-invalid', String(!field.validity.valid));
+    }
+    this.remember();
+    this.explain();
+    this.onChange();
+  }
+
+  /** Shows what lines look like, and says clearly whether sheets are corrected. */
+  private explain(): void {
+    const options = this.read();
+    const { lines } = lookOf(options);
+    for (const kind of kinds) {
+      const { sample } = this.lines[kind];
+      sample.setAttribute('stroke', lines[kind].colour);
+      sample.setAttribute('stroke-width', String(lines[kind].width));
+      sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
+    }
+    const isOn = isCalibrated(options);
+    const words = options.measured.map((length) => {
+      const share = Math.abs(100 * (rulerLength / length - 1));
+      return `${share.toFixed(1)} % ${length < rulerLength ? 'longer' : 'shorter'}`;
+    });
+    this.state.textContent = isOn
+      ? `Correction is on: lines are drawn ${words[0]} across and ${words[1]} up. Print once more: the rulers now measure 50 mm.`
+      : 'Print a sheet at 100 %, then enter what its rulers measure.';
+    this.badge.hidden = !isOn;
+    this.badge.textContent = `PDF and SVG are corrected for your printer (${options.measured.join(' × ')} mm)`;
+  }
+
+  private remember(): void {
+    const { measured } = this.read();
+    try {
+      localStorage.setItem(memory, JSON.stringify(measured));
+    } catch {
+      // A browser that keeps nothing is no reason to fail.
+    }
+  }
+
+  private recall(): void {
+    try {
+      const kept: unknown = JSON.parse(localStorage.getItem(memory) ?? 'null');
+      if (!Array.isArray(kept)) return;
+      [this.across, this.up].forEach((field, i) => {
+        const value: unknown = kept[i];
+        if (typeof value === 'number' && value !== rulerLength) field.value = String(value);
+      });
+    } catch {
+      // Whatever else is kept under this name is not ours.
+    }
+  }
+}

@@ -1,0 +1,24 @@
+import { merging, splitting } from '../model/edits.js';
+import type { Edit } from '../model/job.js';
+import { BadValue, whole } from './values.js';
+
+// Far more parts than anyone could glue; the engine knows how many there are.
+const anyPart = whole(1, 10_000_000);
+
+function partOf(text: string): number {
+  return anyPart(text) - 1;
+}
+
+/** PART[:K], parts counted from 1 as in notes. */
+export function split(text: string): Edit {
+  const [part = '', into = '2', ...rest] = text.split(':');
+  if (rest.length > 0) throw new BadValue('is not PART or PART:K');
+  return splitting(partOf(part), anyPart(into));
+}
+
+/** A,B, parts counted from 1 as in notes. */
+export function merge(text: string): Edit {
+  const parts = text.split(',').map(partOf);
+  if (parts.length < 2) throw new BadValue('is not A,B');
+  return merging(parts);
+}

@@ -1,0 +1,55 @@
+import { rulerLength, type PrintOptions } from '../model/print-options.js';
+import type { Point } from './point.js';
+import type { SheetDrawing } from './sheet-drawing.js';
+import type { TextLine } from './text-line.js';
+
+/** By how much lengths are drawn longer than they shall be on paper, across and up. */
+export function corrections({ measured }: PrintOptions): [across: number, up: number] {
+  return [rulerLength / measured[0], rulerLength / measured[1]];
+}
+
+/**
+ * Draws a sheet for a printer that is out of scale, about the sheet's middle: what this printer makes
+ * of it has the lengths of `drawing`. Texts are moved, but keep their size and their direction: a
+ * few hundredths show nowhere.
+ */
+export function calibrated(
+  drawing: SheetDrawing,
+  [across, up]: readonly [number, number],
+): SheetDrawing {
+  if (across === 1 && up === 1) return drawing;
+  const [x0, y0] = [drawing.width / 2, drawing.height / 2];
+  const at = ([x, y]: Point): Point => [x0 + across * (x - x0), y0 + up * (y - y0)];
+  const walk = (points: Point[]): Point[] => points.map(at);
+  const line = ([from, to]: [Point, Point]): [Point, Point] => [at(from), at(to)];
+  const texts = (lines: TextLine[]): TextLine[] =>
+    lines.map((text) => ({ ...text, at: at(text.at) }));
+  return {
+    ...drawing,
+    pieces: drawing.pieces.map((piece) => ({
+      ...piece,
+      cuts: piece.cuts.map(walk),
+      flaps: piece.flaps.map(walk),
+      mountains: piece.mountains.map(line),
+      valleys: piece.valleys.map(line),
+      guides: piece.guides.map(line),
+      texts: texts(piece.texts),
+    })),
+    furniture: {
+      strokes: drawing.furniture.strokes.map((stroke) => ({
+        ...stroke,
+        points: walk(stroke.points),
+      })),
+      texts: texts(drawing.furniture.texts),
+    },
+  };
+}
+
+/** By how many mm something is drawn beyond the edge of its sheet; 0 if nothing is. */
+export function overrun({ width, height, pieces, furniture }: SheetDrawing): number {
+  const points = [
+    ...pieces.flatMap(({ cuts }) => cuts.flat()),
+    ...furniture.strokes.flatMap(({ points }) => points),
+  ];
+  return points.reduce((most, [x, y]) => Math.max(most, -x, -y, x - width, y - height), 0);
+}

@@ -1,0 +1,143 @@
+/**
+ * What every sheet carries besides its pieces: a ruler along its lower and its left edge, a box to
+ * measure, title and number, and how to print it. All of it lies beside the pieces by construction:
+ * the engine keeps that band free (`ruled_margin` in cpp/paper/sheets.h).
+ */
+import { rulerLength, type LineKind } from '../model/print-options.js';
+import type { Point } from './point.js';
+import { capHeight, shortened, widthAtMost, type TextLine } from './text-line.js';
+
+/** A line of the furniture; in a legend also a sample of another kind, or of the area of a flap. */
+export interface Stroke {
+  points: Point[];
+  closed: boolean;
+  sample?: LineKind | 'flap';
+}
+
+export interface Furniture {
+  strokes: Stroke[];
+  texts: TextLine[];
+}
+
+/** Where furniture goes, and what it says. */
+export interface FurniturePlan {
+  width: number;
+  height: number;
+  /** Of the sheet; mm. */
+  margin: number;
+  /** Two lines; the first may be shortened, the second is left out where it has no room. */
+  title: string;
+  note: string;
+}
+
+// As the engine has them: what printers leave white, unless the margin says that this one does not,
+// and the height of the band.
+const unprinted = 4;
+const bandHeight = 5.5;
+
+// 6 points: small, but readable on every printer.
+const textSize = 2.1;
+// 4 points, for the box where there is no room for a larger one.
+const smallSize = 1.4;
+const boxHeight = 5;
+const boxWidth = 20;
+const gap = 3;
+// Of a ruler's line to the edge of the band.
+const lineRoom = 0.5;
+// Baselines of title and note over the band's lower edge.
+const [upperLine, lowerLine] = [3.1, 0.5];
+
+/** Where the band begins, and where pieces do, from the left and the lower edge; mm. */
+export function bandOf(margin: number): { from: number; to: number } {
+  const from = Math.min(margin, unprinted);
+  return { from, to: Math.max(margin, from + bandHeight) };
+}
+
+/** A mark each mm, longer ones each 5 and 10. */
+function tickHeight(at: number): number {
+  if (at % 10 === 0) return 3;
+  return at % 5 === 0 ? 2.2 : 1.4;
+}
+
+/** A ruler with its marks at the right side and its length at the end, as it is walked from `start`. */
+function ruler(length: number, angle: 0 | 90, start: Point): Furniture {
+  const place = ([x, y]: Point): Point =>
+    angle === 0 ? [start[0] + x, start[1] + y] : [start[0] - y, start[1] + x];
+  const along = (from: Point, to: Point): Stroke => ({
+    points: [place(from), place(to)],
+    closed: false,
+  });
+  const strokes = [along([0, 0], [length, 0])];
+  for (let at = 0; at <= length; ++at) strokes.push(along([at, 0], [at, -tickHeight(at)]));
+  const end: Point = [length + 1, -capHeight * textSize];
+  const text: TextLine = {
+    // Without figures between: a number on a sheet is that of an edge.
+    text: `${length} mm`,
+    at: place(end),
+    anchor: 'start',
+    angle,
+    size: textSize,
+  };
+  return { strokes, texts: [text] };
+}
+
+/** The longest ruler, in whole cm, that leaves so much room beside it; 0: none. */
+function rulerFor(room: number): number {
+  return Math.max(0, Math.min(rulerLength, 10 * Math.floor(room / 10)));
+}
+
+/** A box to measure, with its size in it. */
+function scaleBox(left: number, bottom: number, width: number): Furniture {
+  const [right, top] = [left + width, bottom + boxHeight];
+  const isSquare = width === boxHeight;
+  const size = isSquare ? smallSize : textSize;
+  const text = isSquare ? `${width} mm` : `${width} × ${boxHeight} mm`;
+  const at: Point = [left + width / 2, bottom + boxHeight / 2 - (capHeight / 2) * size];
+  const points: Point[] = [
+    [left, bottom],
+    [right, bottom],
+    [right, top],
+    [left, top],
+  ];
+  return {
+    strokes: [{ points, closed: true }],
+    texts: [{ text, at, anchor: 'middle', angle: 0, size }],
+  };
+}
+
+/** The furniture of one sheet. On small paper rulers are shorter, and the box is in the corner. */
+export function furnish({ width, height, margin, title, note }: FurniturePlan): Furniture {
+  const { from, to } = bandOf(margin);
+  const end = width - margin;
+  const unit = widthAtMost(`${rulerLength} mm`, textSize) + 1 + gap;
+  const words = widthAtMost(note, textSize);
+  const across = rulerFor(end - to - unit - words);
+  const up = rulerFor(height - margin - to - unit);
+  const parts: Furniture[] = [
+    ...(across > 0 ? [ruler(across, 0, [to, from + bandHeight - lineRoom])] : []),
+    ...(up > 0 ? [ruler(up, 90, [from + lineRoom, to])] : []),
+  ];
+  let left = across > 0 ? to + across + unit : to;
+  if (left + boxWidth + gap + words <= end) {
+    parts.push(scaleBox(left, from + (bandHeight - boxHeight) / 2, boxWidth));
+    left += boxWidth + gap;
+  } else {
+    // Where the bands meet there is nothing else.
+    parts.push(scaleBox(from, from, boxHeight));
+  }
+  const line = (text: string, y: number): TextLine => ({
+    text,
+    at: [left, from + y],
+    anchor: 'start',
+    angle: 0,
+    size: textSize,
+  });
+  const texts = [
+    line(shortened(title, textSize, end - left), upperLine),
+    line(shortened(note, textSize, end - left), lowerLine),
+  ].filter(({ text }) => text !== '');
+  return {
+    strokes: parts.flatMap(({ strokes }) => strokes),
+    texts: [...parts.flatMap((part) => part.texts), ...texts],
+  };
+}

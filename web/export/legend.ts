@@ -1,0 +1,166 @@
+/** What lines and numbers mean: only what occurs on the sheets. */
+import { bandOf, type Furniture, type Stroke } from './furniture.js';
+import { FreeSpace } from './free-space.js';
+import type { Point } from './point.js';
+import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
+import { capHeight, widthAtMost, type TextLine } from './text-line.js';
+
+/** A sample at (0, 0), if it is more than words, and what it means. */
+interface Entry {
+  sample: Stroke[];
+  text: string;
+}
+
+// 6 points, as the title.
+const size = 2.1;
+const rowHeight = 3.6;
+const sampleWidth = 9;
+const gap = 1.5;
+/** Between columns. */
+const columnGap = 3.5;
+/** From the pieces, so that no one cuts into it. */
+const clearance = 2;
+
+function lineSample(kind: 'cut' | 'mountain' | 'valley'): Stroke[] {
+  const y = (capHeight * size) / 2;
+  return [
+    {
+      points: [
+        [0, y],
+        [sampleWidth, y],
+      ],
+      closed: false,
+      sample: kind,
+    },
+  ];
+}
+
+function flapSample(): Stroke[] {
+  const walk: Point[] = [
+    [1, 0],
+    [2.2, 2],
+    [sampleWidth - 2.2, 2],
+    [sampleWidth - 1, 0],
+  ];
+  return [
+    { points: walk, closed: true, sample: 'flap' },
+    { points: walk, closed: false, sample: 'cut' },
+    { points: [walk[0]!, walk[3]!], closed: false, sample: 'mountain' },
+  ];
+}
+
+function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
+  const texts = pieces.flatMap((piece) => piece.texts.map(({ text }) => text));
+  const some = (test: (piece: PieceDrawing) => boolean): boolean => pieces.some(test);
+  const line = (kind: 'cut' | 'mountain' | 'valley', text: string): Entry => {
+    return { sample: lineSample(kind), text };
+  };
+  const words = (text: string): Entry => ({ sample: [], text });
+  const hasIds = texts.some((text) => /^\d+$/.test(text));
+  return [
+    line('cut', 'cut'),
+    ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', 'mountain fold')] : []),
+    ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', 'valley fold')] : []),
+    ...(some(({ flaps }) => flaps.length > 0)
+      ? [{ sample: flapSample(), text: 'flap for glue' }]
+      : []),
+    ...(hasIds ? [words('12: joins the other 12')] : []),
+    ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
+    ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
+    ...(some(({ letter }) => letter.startsWith('strip-')) ? [words('strip 12: behind edge 12')] : []),
+    ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold angle')] : []),
+  ];
+}
+
+function widthOf({ sample, text }: Entry): number {
+  return (sample.length > 0 ? sampleWidth + gap : 0) + widthAtMost(text, size);
+}
+
+/** Entries in columns, filled one after the other, with (0, 0) at their lower left. */
+function inColumns(
+  entries: readonly Entry[],
+  columns: number,
+): { content: Furniture; width: number; height: number } {
+  const rows = Math.ceil(entries.length / columns);
+  const content: Furniture = { strokes: [], texts: [] };
+  let left = 0;
+  for (let first = 0; first < entries.length; first += rows) {
+    const column = entries.slice(first, first + rows);
+    column.forEach((entry, i) => {
+      const bottom = (rows - 1 - i) * rowHeight;
+      const moved = ([x, y]: Point): Point => [left + x, bottom + y];
+      for (const stroke of entry.sample) {
+        content.strokes.push({ ...stroke, points: stroke.points.map(moved) });
+      }
+      const start = entry.sample.length > 0 ? sampleWidth + gap : 0;
+      const at = moved([start, 0]);
+      content.texts.push({ text: entry.text, at, anchor: 'start', angle: 0, size });
+    });
+    left += Math.max(...column.map(widthOf)) + columnGap;
+  }
+  return { content, width: left - columnGap, height: (rows - 1) * rowHeight + size };
+}
+
+function movedBy({ strokes, texts }: Furniture, [x, y]: Point): Furniture {
+  const move = ([u, v]: Point): Point => [u + x, v + y];
+  return {
+    strokes: strokes.map((stroke) => ({ ...stroke, points: stroke.points.map(move) })),
+    texts: texts.map((text): TextLine => ({ ...text, at: move(text.at) })),
+  };
+}
+
+function onFreeSpace(sheet: SheetDrawing, entries: Entry[], margin: number): Furniture | null {
+  const { to } = bandOf(margin);
+  // From the ruler below as from pieces.
+  const area = {
+    left: to,
+    bottom: to + 1.5,
+    right: sheet.width - margin,
+    top: sheet.height - margin,
+  };
+  const space = new FreeSpace(
+    area,
+    sheet.pieces.flatMap(({ cuts }) => cuts),
+    clearance,
+  );
+  // High, low and broad.
+  for (const columns of [1, 2, 3, entries.length]) {
+    const { content, width, height } = inColumns(entries, columns);
+    const place = space.place(width, height + 0.6);
+    // Below the baseline there are descenders.
+    if (place) return movedBy(content, [place[0], place[1] + 0.6]);
+  }
+  return null;
+}
+
+/** In one row above the pieces, where the margin is as high as the band below them. */
+function inUpperMargin(
+  { width, height }: SheetDrawing,
+  entries: Entry[],
+  margin: number,
+): Furniture | null {
+  const { from, to } = bandOf(margin);
+  const row = inColumns(entries, entries.length);
+  if (to > margin || row.width > width - 2 * margin) return null;
+  return movedBy(row.content, [margin, height - from - size - 1]);
+}
+
+/**
+ * Puts a legend on one of the sheets: on free space of the first, else into its upper margin if that
+ * is wide enough, else on free space of another.
+ *
+ * @returns the number of the sheet and what is added to it; null if no sheet has room
+ */
+export function placeLegend(
+  sheets: readonly SheetDrawing[],
+  margin: number,
+): { sheet: number; legend: Furniture } | null {
+  const entries = entriesFor(sheets.flatMap(({ pieces }) => pieces));
+  for (const [sheet, drawing] of sheets.entries()) {
+    const legend =
+      onFreeSpace(drawing, entries, margin) ??
+      (sheet === 0 ? inUpperMargin(drawing, entries, margin) : null);
+    if (legend) return { sheet, legend };
+  }
+  return null;
+}

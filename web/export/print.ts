@@ -1,0 +1,125 @@
+import type { JobResult, Notice } from '../model/job.js';
+import { isCalibrated, type PrintOptions } from '../model/print-options.js';
+import { calibrated, corrections, overrun } from './calibration.js';
+import type { FontLoader, FontSet } from './font-set.js';
+import { furnish } from './furniture.js';
+import { placeLegend } from './legend.js';
+import { lookOf, type Look } from './line-style.js';
+import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
+import { cleaned } from './text-line.js';
+
+/** What sheets are made of. */
+export interface PrintInput {
+  result: JobResult;
+  /** Printed on every sheet; usually the model's name. */
+  title: string;
+  /** Of the sheets, as the job had it; mm. */
+  margin: number;
+  options: PrintOptions;
+  loadFont: FontLoader;
+}
+
+/** All sheets of a job, ready to be written in any format. */
+export interface Print {
+  title: string;
+  look: Look;
+  sheets: SheetDrawing[];
+  /** Null while all texts are in letters that every reader of files has. */
+  fonts: FontSet | null;
+  loadFont: FontLoader;
+  /** What a person should know of the sheets beside what the job told. */
+  notices: Notice[];
+}
+
+/** Whether a text is in letters that every sans-serif face has. */
+export function isPlain(text: string): boolean {
+  return /^[\u0020-\u007e\u00a0-\u017f–—‘’“”…]*$/.test(text);
+}
+
+/** Every text that is printed. */
+export function textsOf(sheets: readonly SheetDrawing[]): string[] {
+  return sheets.flatMap(({ pieces, furniture }) =>
+    [...furniture.texts, ...pieces.flatMap(({ texts }) => texts)].map(({ text }) => text),
+  );
+}
+
+function noteOf(sheet: number, count: number, options: PrintOptions): string {
+  const page = `sheet ${sheet + 1} of ${count} · print at 100 %`;
+  if (!isCalibrated(options)) return page;
+  return `${page} · corrected for ${options.measured.join(' × ')} mm`;
+}
+
+function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notice[] {
+  const notices: Notice[] = [];
+  if (lacksLegend) notices.push({ code: 'no-legend', text: 'no sheet has room for the legend' });
+  const beyond = Math.max(...sheets.map(overrun));
+  if (beyond > 0) {
+    const text = `corrected for this printer, lines run ${beyond.toFixed(1)} mm over the edge of the page: choose a wider margin`;
+    notices.push({ code: 'beyond-page', text });
+  }
+  return notices;
+}
+
+/** The fonts for letters that not every reader has; null where there are none, or none came. */
+async function loadFonts(
+  texts: string[],
+  loadFont: FontLoader,
+  notices: Notice[],
+): Promise<FontSet | null> {
+  if (texts.every(isPlain)) return null;
+  const { FontSet } = await import('./font-set.js');
+  try {
+    const fonts = await FontSet.load(texts, loadFont);
+    if (fonts.missing.length > 0) {
+      const text = `no font has ${fonts.missing.join(' ')}: a box is printed in its place`;
+      notices.push({ code: 'missing-glyphs', text });
+    }
+    return fonts;
+  } catch {
+    // Sheets without their proper letters are better than none.
+    const text =
+      'the fonts for some letters could not be loaded: they look as the reader’s fonts have them';
+    notices.push({ code: 'fonts-not-loaded', text });
+    return null;
+  }
+}
+
+/** The sheets as they shall be on paper, and whether a legend that was asked for is on one of them. */
+function drawSheets({ result, title, margin, options }: PrintInput): {
+  sheets: SheetDrawing[];
+  lacksLegend: boolean;
+} {
+  const count = result.sheets.length;
+  const sheets = result.sheets.map(({ width, height }, sheet): SheetDrawing => {
+    const note = noteOf(sheet, count, options);
+    return {
+      width,
+      height,
+      pieces: drawPieces(result, sheet, options),
+      furniture: furnish({ width, height, margin, title: cleaned(title), note }),
+    };
+  });
+  if (!options.legend) return { sheets, lacksLegend: false };
+  const found = placeLegend(sheets, margin);
+  if (!found) return { sheets, lacksLegend: true };
+  const { strokes, texts } = sheets[found.sheet]!.furniture;
+  sheets[found.sheet]!.furniture = {
+    strokes: [...strokes, ...found.legend.strokes],
+    texts: [...texts, ...found.legend.texts],
+  };
+  return { sheets, lacksLegend: false };
+}
+
+/**
+ * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
+ * has is drawn as a box and told in the notices, and so is it when fonts do not come.
+ */
+export async function preparePrint(input: PrintInput): Promise<Print> {
+  const { options, loadFont } = input;
+  const { sheets: drawn, lacksLegend } = drawSheets(input);
+  const factors = corrections(options);
+  const sheets = drawn.map((sheet) => calibrated(sheet, factors));
+  const notices = noticesOf(sheets, lacksLegend);
+  const fonts = await loadFonts(textsOf(sheets), loadFont, notices);
+  return { title: cleaned(input.title), look: lookOf(options), sheets, fonts, loadFont, notices };
+}

@@ -1,0 +1,51 @@
+/** How sheets are drawn: nothing here changes the nets, so a change needs no new search. */
+
+export type LineKind = 'cut' | 'mountain' | 'valley';
+
+/** How a kind of line looks on paper; lengths in mm. */
+export interface LineStyle {
+  width: number;
+  /** Six hexadecimal digits after '#'. */
+  colour: string;
+  /** Lengths of dashes and gaps in turn; empty: solid. */
+  dash: readonly number[];
+}
+
+/** A look as a whole: ours, or that of a program that people know. */
+export type PrintStyle = 'foldwright' | 'pepakura' | 'blender';
+
+export interface PrintOptions {
+  style: PrintStyle;
+  /** What differs from the style. */
+  lines: Readonly<Partial<Record<LineKind, Partial<LineStyle>>>>;
+  /** Colour that flaps are filled with, or 'none'; without it the style decides. */
+  flaps?: string;
+  /** Folds flatter than this many degrees are not drawn. */
+  flatFold: number;
+  /** Whether folds are told by how many degrees they are folded. */
+  foldAngles: boolean;
+  /** Whether a legend is printed, once. */
+  legend: boolean;
+  /** What the rulers of 50 mm measure on paper, across and up, when nothing is corrected. */
+  measured: readonly [across: number, up: number];
+}
+
+/** Nominal length of the rulers; mm. */
+export const rulerLength = 50;
+
+/** What a person can have measured; anything else is no printer's error. */
+export const measurable = { least: 45, most: 55 } as const;
+
+export const defaultPrint: Readonly<PrintOptions> = {
+  style: 'foldwright',
+  lines: {},
+  flatFold: 3,
+  foldAngles: false,
+  legend: true,
+  measured: [rulerLength, rulerLength],
+};
+
+/** Whether sheets are corrected for a printer. */
+export function isCalibrated({ measured }: PrintOptions): boolean {
+  return measured.some((length) => length !== rulerLength);
+}
