@@ -1,5 +1,6 @@
 // Runs the engine's benchmarks, native and WASM in turn in one run, and prints them side by side with what is aimed at.
-// With --full also both solvers on small models, which takes minutes, and the whole corpus, as nets and on sheets. Takes the builds as they are: `npm run bench` makes them first.
+// With --full also both solvers on small models, which takes minutes, the paper's studies, and the whole corpus, as nets
+// and on sheets. Takes the builds as they are: `npm run bench` makes them first.
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
@@ -13,6 +14,7 @@ const targets = [
   { faces: 1000, stage: 'search-whole', seconds: 0.1 },
 ];
 const ratioTarget = 1.5;
+const studies = ['foldability', 'craft', 'runs', 'heuristics', 'pieces'];
 
 function run(program, args, stdio = ['ignore', 'pipe', 'inherit']) {
   const { status, stdout, error } = spawnSync(program, args, {
@@ -82,6 +84,9 @@ run(process.execPath, ['tests/bench/pool.mjs'], 'inherit');
 run(process.execPath, ['tests/bench/page.mjs'], 'inherit');
 if (process.argv.includes('--full')) {
   run('build/release/bench_solvers', ['--full'], 'inherit');
+  run('build/release/bench_segmentation', [], 'inherit');
+  for (const study of studies)
+    run(`build/release/bench_study_${study}`, ['build/studies'], 'inherit');
   run('build/release/bench_paper', [], 'inherit');
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');

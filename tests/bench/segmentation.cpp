@@ -4,16 +4,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 #include <set>
 
-#include "pipeline/learning.h"
+#include "learned_model.h"
 #include "segment/segment.h"
 #include "segmentation_scores.h"
-#include "shared_models.h"
 
 namespace {
 
@@ -73,27 +71,6 @@ std::map<int, int> parts_by_category(const std::vector<Model>& models) {
     parts[category] = static_cast<int>(std::lround(sum.first / sum.second));
   }
   return parts;
-}
-
-/// A model with what was learned about it.
-JobState learn(const Model& model, int parts) {
-  JobState state;
-  const std::string bytes = testing::bytes_of(model.file);
-  state.file.resize(bytes.size());
-  std::memcpy(state.file.data(), bytes.data(), bytes.size());
-  state.file_name = model.file.filename().string();
-  state.options.parts = parts;
-  TaskQueue queue;
-  Events events;
-  make_read_stage()->begin(state, queue, events);
-  const auto stage = make_learn_stage();
-  stage->begin(state, queue, events);
-  while (!queue.empty()) {
-    TaskRunner runner(queue.take());
-    while (!runner.step(1'000'000)) continue;
-    stage->complete(state, queue, runner.task().id, runner.result(), events);
-  }
-  return state;
 }
 
 struct Borders {
@@ -239,7 +216,8 @@ int main(int argc, char** argv) {
   Borders smooth, rough, ignored;
   for (const Model& model : models) {
     const int faces = static_cast<int>(model.people[0].size());
-    const JobState with_number = learn(model, parts.at(model.category()));
+    const JobState with_number =
+        testing::learn_model(model.file, {.parts = parts.at(model.category())});
     const Mesh& mesh = with_number.surface->mesh;
     const auto add = [&](Column column, const Segmentation& labels) {
       scores[column].add(model, mesh, labels);
@@ -247,7 +225,8 @@ int main(int argc, char** argv) {
     add(kWithNumber, segmentation(with_number, Segmenter::kShape, true, faces, smooth));
     add(kUnsmoothed, segmentation(with_number, Segmenter::kShape, false, faces, rough));
     add(kPaperOnly, segmentation(with_number, Segmenter::kFoldability, false, faces, ignored));
-    add(kAuto, segmentation(learn(model, 0), Segmenter::kShape, true, faces, ignored));
+    add(kAuto, segmentation(testing::learn_model(model.file, {}), Segmenter::kShape, true, faces,
+                            ignored));
     add(kOneSegment, Segmentation(faces, 0));
     add_people(model, scores[kPeople].rand_index);
     std::fprintf(stderr, "%d ", model.id);
