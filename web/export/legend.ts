@@ -67,7 +67,9 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
     ...(hasIds ? [words('12: joins the other 12')] : []),
     ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
     ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
-    ...(some(({ letter }) => letter.startsWith('strip-')) ? [words('strip 12: behind edge 12')] : []),
+    ...(some(({ letter }) => letter.startsWith('strip-'))
+      ? [words('strip 12: behind edge 12')]
+      : []),
     ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold angle')] : []),
   ];
 }
