@@ -75,8 +75,8 @@ void measure(const Mesh& full, int faces, const Wishes& wishes) {
   if (!timed.result) return;
   double total = 0;
   std::printf("%7d %7zu", mesh.face_count(), timed.result->pieces.size());
-  for (const StageId stage :
-       {StageId::kRead, StageId::kLearn, StageId::kCluster, StageId::kSearch, StageId::kPaper}) {
+  for (const StageId stage : {StageId::kRead, StageId::kLearn, StageId::kCluster, StageId::kSearch,
+                              StageId::kCompact, StageId::kPaper}) {
     const auto it = timed.seconds.find(stage);
     const double seconds = it == timed.seconds.end() ? 0 : it->second;
     total += seconds;
@@ -93,8 +93,8 @@ int main(int argc, char** argv) {
   for (const auto& path : testing::files_below(kFolder)) {
     if (path.filename().string().find(kModel) == std::string::npos) continue;
     const Mesh full = testing::load(path).mesh;
-    std::printf("%7s %7s %8s %8s %8s %8s %8s %8s %8s\n", "faces", "pieces", "read s", "learn s",
-                "parts s", "search s", "paper s", "all s", "MB");
+    std::printf("%7s %7s %8s %8s %8s %8s %9s %8s %8s %8s\n", "faces", "pieces", "read s", "learn s",
+                "parts s", "search s", "compact s", "paper s", "all s", "MB");
     for (const int faces : {300, 1000, 3000, 5000, 10000, 20000, 30000, 70000}) {
       if (wishes.least <= faces && faces <= wishes.most) measure(full, faces, wishes);
     }

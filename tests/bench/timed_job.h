@@ -16,8 +16,8 @@ namespace foldwright::testing {
 /// whatever else the machine does counts for little.
 struct TimedJob {
   std::shared_ptr<const JobResult> result;  ///< null if the model could not be used
-  std::map<StageId, double> seconds;  ///< of the processor, so that others do not count
-  std::map<StageId, double> longest_step;  ///< how late a cancel may be answered
+  std::map<StageId, double> seconds;        ///< of the processor, so that others do not count
+  std::map<StageId, double> longest_step;   ///< how late a cancel may be answered
 };
 
 /// Runs a job on the bytes of a model file, alone and on one thread.

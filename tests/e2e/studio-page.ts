@@ -35,6 +35,8 @@ export interface BrowserOptions {
   flags?: string[];
   /** Runs in the page before its own scripts. */
   script?: string;
+  /** Runs in the engine's workers before their own scripts. */
+  workerScript?: string;
 }
 
 /** Chromium with a profile of its own and the studio open in it. */
@@ -60,7 +62,7 @@ export class StudioPage {
 
   static async open(
     address: string,
-    { script, flags: more = [], ...options }: BrowserOptions = {},
+    { script, workerScript, flags: more = [], ...options }: BrowserOptions = {},
   ): Promise<StudioPage> {
     const profile = await mkdtemp(join(tmpdir(), 'foldwright-chromium-'));
     const context = await chromium.launchPersistentContext(profile, {
@@ -72,6 +74,12 @@ export class StudioPage {
     });
     const studio = new StudioPage(context.pages()[0]!, context, profile);
     if (script) await context.addInitScript(script);
+    if (workerScript) {
+      await context.route(/\/worker-[^/]*\.js$/, async (route) => {
+        const response = await route.fetch();
+        await route.fulfill({ response, body: workerScript + (await response.text()) });
+      });
+    }
     await studio.page.goto(address);
     // Either the samples are there or the page says why not.
     await studio.page.locator('.sample, #message:not([hidden])').first().waitFor();

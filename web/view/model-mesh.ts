@@ -100,7 +100,7 @@ export class ModelMesh {
     // The faces may have moved since the last time.
     this.mesh.geometry.computeBoundingSphere();
     const face = ray.intersectObject(this.mesh)[0]?.faceIndex;
-    return face == null ? -1 : this.labels[face]!;
+    return face === undefined || face === null ? -1 : this.labels[face]!;
   }
 
   /** Draws lines along the borders of the parts. */
