@@ -31,6 +31,9 @@ constexpr double kAways[] = {0, 0.4, 0.8};
 // Sides of seams that are served in a step: a few milliseconds.
 constexpr int kSidesPerStep = 100;
 
+// So far from its edge, in mm, a face has begun.
+constexpr double kOffBase = 1e-3;
+
 /// Where an id may go: in a band beside a base, from `from` in direction `along`.
 struct Band {
   Vec2 from, along;
@@ -96,6 +99,9 @@ class Writer {
         box.centre = band.from + x * band.along + y * band.across;
         // A narrow flap has no room beside its slanted sides, which a box need not touch.
         if (!is_within(box, band.within) || !space_.is_free(box)) continue;
+        // Beyond a face that is thinner than the text is away there is no paper.
+        const Vec2 base = band.from + x * band.along + kOffBase * band.across;
+        if (band.within.empty() && !space_.is_open({base, box.centre})) continue;
         write(text, size, box);
         return true;
       }

@@ -118,7 +118,7 @@ TEST(PlaceLabels, KeepOnNarrowFlaps) {
   const Mesh mesh = bumpy_sphere(300);
   const std::vector<Net> nets = {net_of(mesh, 75)};
   const FlapPlan flaps = place_flaps(mesh, nets, {});
-  const LabelPlan plan = place_labels(nets, flaps.flaps, IdPlace::kFlap);
+  const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kFlap);
   expect_clear(nets[0], flaps.flaps[0], plan.labels[0]);
 }
 

@@ -18,7 +18,10 @@ function run(workers: number, runOptions: RunOptions = {}): Promise<TimedResult>
   return withThreads(workers, (pool) => runJob(pool, bytes, 'ring.obj', options, runOptions));
 }
 
-/** What the FOLD file says of the pieces of each part, but for their place in the order of gluing. */
+/**
+ * What the FOLD file says of the pieces of each part, but for their place in the order of gluing and the turn that
+ * packing gives them: distances to the first two corners instead of coordinates.
+ */
 function framesByPart(result: JobResult): Map<number, string[]> {
   const frames = new Map<number, string[]>();
   const { file_frames } = JSON.parse(writeFold(result)) as {
@@ -26,10 +29,24 @@ function framesByPart(result: JobResult): Map<number, string[]> {
   };
   for (const frame of file_frames) {
     const part = frame['foldwright:part'] as number;
-    const text = JSON.stringify({ ...frame, frame_title: '', 'foldwright:piece': 0 });
+    const corners = frame['vertices_coords'] as [number, number][];
+    const [first, second] = corners as [[number, number], [number, number]];
+    const vertices_coords = corners.map((corner) =>
+      [first, second].map((from) => distance(from, corner).toFixed(6)),
+    );
+    const text = JSON.stringify({
+      ...frame,
+      vertices_coords,
+      frame_title: '',
+      'foldwright:piece': 0,
+    });
     frames.set(part, [...(frames.get(part) ?? []), text]);
   }
   return frames;
+}
+
+function distance([x, y]: [number, number], [u, v]: [number, number]): number {
+  return Math.hypot(u - x, v - y);
 }
 
 /** Two parts that share an edge of the model. */
@@ -46,7 +63,7 @@ function touching({ labels, pieces }: JobResult): [number, number] {
 }
 
 describe.skipIf(!isEngineBuilt)('edits', () => {
-  it('split a part and leave the pieces of all others as they are, byte by byte', async () => {
+  it('split a part and leave the nets and motions of all others as they are', async () => {
     const before = await run(2);
     const after = await run(2, { start: startFrom(before, [splitting(1, 3)]) });
     expect(after.parts).toBe(7);
@@ -58,7 +75,7 @@ describe.skipIf(!isEngineBuilt)('edits', () => {
     expect(made).toEqual(before.labels);
   });
 
-  it('merge parts and leave the pieces of all others as they are, byte by byte', async () => {
+  it('merge parts and leave the nets and motions of all others as they are', async () => {
     const before = await run(1);
     const [a, b] = touching(before);
     const after = await run(1, { start: startFrom(before, [merging([a, b])]) });
