@@ -96,9 +96,12 @@ test('a click on the model or on a sheet chooses a part', () =>
     expect([1, 2]).toContain(picked);
     // A drag turns the model and chooses nothing.
     const before = await chosen(page);
-    await page.mouse.move(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+    await page.locator('#model-picture').scrollIntoViewIfNeeded();
+    // Clicks on the sheets may have scrolled the page.
+    const now = (await page.locator('#model-picture').boundingBox())!;
+    await page.mouse.move(now.x + 0.25 * now.width, now.y + 0.5 * now.height);
     await page.mouse.down();
-    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height, { steps: 4 });
+    await page.mouse.move(now.x + 0.6 * now.width, now.y + 0.5 * now.height, { steps: 4 });
     await page.mouse.up();
     await page.waitForTimeout(300);
     expect(await chosen(page)).toEqual(before);

@@ -65,7 +65,9 @@ test('keys move the slider and press the button', () =>
     await page.keyboard.press('Shift+Tab');
     await page.keyboard.press('Space');
     await page.getByRole('button', { name: 'Pause', exact: true }).waitFor();
-    await expect.poll(() => slider(page).inputValue().then(Number)).toBeGreaterThan(0.1);
+    await expect
+      .poll(() => slider(page).inputValue().then(Number), { timeout: 10_000 })
+      .toBeGreaterThan(0.1);
     await page.keyboard.press('Space');
     const value = await slider(page).inputValue();
     await page.waitForTimeout(500);
