@@ -48,12 +48,13 @@ test('a helper that dies in the middle changes nothing', () =>
     const { page } = studio;
     await reopen(studio, 2);
     await page.fill('#parts', parts);
-    // The conductor comes first.
+    // Pictures are drawn by workers of other kinds.
+    const isEngine = (worker: { url(): string }): boolean => worker.url().includes('/worker-');
+    // The conductor comes first, and may be there already.
+    let count = page.workers().filter(isEngine).length;
     const helper = new Promise<void>((resolve, reject) => {
-      let count = 0;
       page.on('worker', (worker) => {
-        // Pictures are drawn by workers of other kinds.
-        if (!worker.url().includes('/worker-') || ++count !== 2) return;
+        if (!isEngine(worker) || ++count !== 2) return;
         worker
           .evaluate(() => {
             setTimeout(() => {
