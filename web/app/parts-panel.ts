@@ -92,10 +92,10 @@ export class PartsPanel {
     const { letters, faces } = describe(result, part);
     const swatch = make('span', { className: 'part__swatch' });
     swatch.style.setProperty('--colour', partColour(part));
-    const name = make('span', { textContent: `Part ${part + 1}` });
-    const pieces = make('small', { textContent: letters });
+    const name = make('span', { textContent: `Part ${part + 1}, ` });
+    const pieces = make('small', { textContent: `piece ${letters}` });
     const button = make('button', { type: 'button', className: 'part' }, swatch, name, pieces);
-    button.setAttribute('aria-label', `Part ${part + 1}, piece ${letters}, ${faces} faces`);
+    button.title = `${faces} faces`;
     button.addEventListener('click', () => this.toggle(part));
     return make('li', {}, button);
   }
