@@ -22,7 +22,7 @@ async function chosen(page: Page): Promise<number[]> {
   const names = await page
     .locator('.part[aria-pressed="true"] span:not(.part__swatch)')
     .allInnerTexts();
-  return names.map((name) => Number(name.replace('Part ', '')));
+  return names.map((name) => Number.parseInt(name.replace('Part ', ''), 10));
 }
 
 /** Clicks a piece on a sheet, somewhere inside: the middle of its box may lie outside. */
