@@ -391,16 +391,3 @@ export function flapResult(): JobResult {
   };
   return result;
 }
-
-/** Eight triangles around a point with more than 360 degrees: as a fan they overlap. */
-export const saddle: Mesh = {
-  vertices: [
-    [0, 0, 0],
-    ...Array.from({ length: 8 }, (_, i) => [
-      30 * Math.cos((i * Math.PI) / 4),
-      30 * Math.sin((i * Math.PI) / 4),
-      i % 2 === 0 ? 15 : -15,
-    ]),
-  ],
-  faces: Array.from({ length: 8 }, (_, i) => [0, i + 1, ((i + 1) % 8) + 1]),
-};

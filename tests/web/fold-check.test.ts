@@ -7,11 +7,23 @@ import {
   cubeResult,
   layPiece,
   makeResult,
-  saddle,
   slitResult,
 } from './fixtures.js';
 import { checkFold } from './fold-check.js';
 import { parseFold, type FoldFile, type FoldMotion, type NetFrame } from './fold-file.js';
+
+/** Eight triangles around a point with more than 360 degrees: as a fan they overlap. */
+const saddle = {
+  vertices: [
+    [0, 0, 0],
+    ...Array.from({ length: 8 }, (_, i) => [
+      30 * Math.cos((i * Math.PI) / 4),
+      30 * Math.sin((i * Math.PI) / 4),
+      i % 2 === 0 ? 15 : -15,
+    ]),
+  ],
+  faces: Array.from({ length: 8 }, (_, i) => [0, i + 1, ((i + 1) % 8) + 1]),
+};
 
 /** The violations of a net after one change to it. */
 function broken(change: (file: FoldFile) => void, result: JobResult = cubeResult()): string {
