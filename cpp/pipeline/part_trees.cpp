@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "segment/regroup.h"
+
 namespace foldwright {
 namespace {
 
@@ -11,12 +13,23 @@ constexpr std::uint64_t kExchange = 4;  // names the border exchange in task_see
 // Exchanges of one part: the first gives it a net, another one, if need be, a net that folds.
 constexpr int kMostExchanges = 3;
 
+// A part is far from a net with so many overlaps for each of its panels, but not with fewer than the
+// least of these, and always with the most. Exchanges cure one overlap in a hundred panels and less.
+constexpr double kFarShare = 0.02;
+constexpr double kLeastFar = 10;
+constexpr double kMostFar = 40;
+
 int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
   return static_cast<int>(
       overlapping_panels(graph, lay_out(graph, hang_tree(graph, folds))).size());
 }
 
 }  // namespace
+
+bool is_far_from_net(const Region& region, const Candidate& candidate) {
+  const auto panels = static_cast<double>(region.panels.size());
+  return candidate.overlaps >= std::clamp(kFarShare * panels, kLeastFar, kMostFar);
+}
 
 PartTrees::PartTrees(const JobState& state) {
   std::map<int, Place> places;
@@ -42,10 +55,45 @@ void PartTrees::settle(int part, FoundNet net) { trees_[part] = {std::move(net),
 
 void PartTrees::leave_open(Region region, Candidate candidate) {
   const int part = region.part;
-  (exchanges_[part] < kMostExchanges ? waiting_ : uncured_).insert(part);
+  if (is_far_from_net(region, candidate) && !regrouped_.contains(part)) {
+    to_regroup_.insert(part);
+  } else {
+    (exchanges_[part] < kMostExchanges ? waiting_ : uncured_).insert(part);
+  }
   trees_[part] = {{std::move(region), std::move(candidate.folds), std::move(candidate.motion)},
                   candidate.overlaps,
                   candidate.shortfall};
+}
+
+std::vector<int> PartTrees::regroup_next(JobState& state) {
+  while (!to_regroup_.empty()) {
+    const int part = *to_regroup_.begin();
+    const auto [c, label] = parts_[part];
+    Component& component = state.components[c];
+    regrouped_.insert(part);
+    to_regroup_.erase(part);
+    const int learned_panels =
+        component.learned ? component.learned->matrix.size : component.graph.panel_count();
+    auto regrouping = regroup(state.surface->mesh, component.graph, learned_panels,
+                              component.labels, label);
+    if (!regrouping) {
+      (exchanges_[part] == 0 ? waiting_ : uncured_).insert(part);
+      continue;
+    }
+    component.labels = std::move(regrouping->labels);
+    std::vector<int> again;
+    for (const int changed : regrouping->changed) again.push_back(component.part_numbers[changed]);
+    for (const int changed : again) forget(changed);
+    return again;
+  }
+  return {};
+}
+
+void PartTrees::forget(int part) {
+  to_regroup_.erase(part);
+  waiting_.erase(part);
+  uncured_.erase(part);
+  trees_.erase(part);
 }
 
 bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
@@ -85,7 +133,8 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
   const int component = parts_[part].component;
   std::vector<Changed> again;
   if (!result.found) {
-    uncured_.insert(part);
+    const bool has_net = trees_.at(part).overlaps == 0;
+    (has_net || regrouped_.contains(part) ? uncured_ : to_regroup_).insert(part);
     return again;
   }
   state.components[component].labels = result.labels;
@@ -100,9 +149,7 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
       trees_[changed] = {{std::move(now), folds, {}}, overlaps, left->second};
       continue;
     }
-    waiting_.erase(changed);
-    uncured_.erase(changed);
-    trees_.erase(changed);
+    forget(changed);
     again.push_back({changed, folds});
   }
   return again;

@@ -18,11 +18,16 @@ struct Candidate {
   bool is_net() const { return overlaps == 0; }
 };
 
-/// The best tree of every whole part, and the exchanges of border panels between parts.
+/// Whether a part has so many overlaps left for its size that no exchange of a few panels at its
+/// border will do.
+bool is_far_from_net(const Region& region, const Candidate& candidate);
+
+/// The best tree of every whole part, and what parts give each other where one has none.
 ///
-/// Exchanges wait until all parts have been tried, and then go one by one in the order of parts:
-/// each changes the borders that the next one sees. A part without a net is given one, and one
-/// without a motion a net that folds straight.
+/// That waits until all parts have been tried, and then goes one by one in the order of parts: each
+/// changes the borders that the next one sees. Parts far from a net are regrouped first. Then border
+/// panels are exchanged: a part without a net is given one, and one without a motion a net that
+/// folds straight. Parts that still have no net are regrouped, too; each is only once.
 class PartTrees {
  public:
   /// \pre the components have labels, and their parts numbers
@@ -36,6 +41,10 @@ class PartTrees {
   void settle(int part, FoundNet net);
   /// The part has not, and waits for an exchange.
   void leave_open(Region region, Candidate candidate);
+
+  /// Regroups the first part that is to be, and says which are to be searched anew: they
+  /// are forgotten until then. Empty when there is none, or when it cannot be regrouped.
+  std::vector<int> regroup_next(JobState& state);
 
   bool exchanging() const { return exchange_.has_value(); }
   /// Part whose exchange is under way. \pre `exchanging()`
@@ -70,10 +79,13 @@ class PartTrees {
     int label = 0;
   };
 
+  void forget(int part);
   PartsSoFar parts_so_far(const JobState& state, int component, bool for_motion) const;
 
   std::vector<Place> parts_;   ///< by part
   std::map<int, Tree> trees_;  ///< by part
+  std::set<int> to_regroup_;
+  std::set<int> regrouped_;    ///< parts that were, or cannot be
   std::set<int> waiting_;      ///< parts whose exchange is to come
   std::set<int> uncured_;
   std::map<int, int> exchanges_;  ///< by part: how many it had

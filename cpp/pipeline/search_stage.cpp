@@ -27,9 +27,14 @@ constexpr int kAttemptsOfWhole = 12;
 // split, as published: border exchange belongs to the tree search.
 constexpr int kEvolutions = 4;
 
-// Panels above which no motion is looked for, unless it is required: the search for one takes
-// minutes with some thousands, and no person folds such a piece.
-constexpr int kMostToFold = 6000;
+// Panels above which no motion is looked for, unless it is required, and above which none is found
+// by planning or exchanges: that takes minutes with some thousands, and no person folds such a
+// piece.
+constexpr int kMostToFold = 4000;
+constexpr std::size_t kMostToPlan = 2000;
+
+// Panels above which another attempt goes on from the best tree so far.
+constexpr std::size_t kLarge = 1000;
 
 // What a search under way counts for in the progress, against one that found its net.
 constexpr double kSearchShare = 0.7;
@@ -89,7 +94,7 @@ class SearchStage : public Stage {
     } else {
       searched(state, queue, task, std::get<SearchResult>(result), events);
     }
-    if (!searches_.empty() || trees_->exchanging()) return;
+    if (!searches_.empty() || trees_->exchanging() || regroup(state, queue)) return;
     if (!trees_->begin_exchange(state, queue)) give_in_to_rest(state, queue, events);
   }
 
@@ -132,6 +137,10 @@ class SearchStage : public Stage {
  private:
   static bool wants_motion(const JobState& state, const Region& region) {
     return state.options.folding != FoldingMode::kOff && !region.meets_itself && !region.too_large;
+  }
+
+  static bool is_too_large_to_plan(const JobState& state, const Region& region) {
+    return state.options.folding == FoldingMode::kPrefer && region.panels.size() > kMostToPlan;
   }
 
   /// Seeds that a region gets before it counts as having no net, or none that folds straight: such
@@ -181,6 +190,9 @@ class SearchStage : public Stage {
     const double temperature = kTemperatures[search.attempt % kTemperatures.size()];
     SearchTask task{{.temperature = temperature, .clearance = clearance, .seed = seed},
                     std::exchange(search.initial, {})};
+    // A large region has come too far to begin again.
+    const bool is_large = search.region.panels.size() > kLarge;
+    if (is_large && search.attempt > 0) task.initial = search.best.folds;
     queue_work(state, queue, std::move(search), std::move(task));
   }
 
@@ -217,8 +229,11 @@ class SearchStage : public Stage {
       give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
-    } else if (++search.attempt < attempts_for(state, search.region, best.is_net())) {
+    } else if (++search.attempt < attempts_for(state, search.region, best.is_net()) &&
+               !is_hopeless(state, search)) {
       queue_attempt(state, queue, std::move(search));
+    } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
+      give_in(state, queue, std::move(search), events);
     } else if (best.is_net()) {
       plan(state, queue, std::move(search));
     } else {
@@ -253,6 +268,21 @@ class SearchStage : public Stage {
     } else {
       give_in(state, queue, std::move(search), events);
     }
+  }
+
+  /// Other seeds are no use to a region far from a net, unless there is nothing else.
+  static bool is_hopeless(const JobState& state, const Search& search) {
+    return state.options.solver == Solver::kTree && !is_component(state, search.region) &&
+           is_far_from_net(search.region, search.best);
+  }
+
+  /// Gives parts other borders that need them, and searches them anew; false when there
+  /// is none.
+  bool regroup(JobState& state, TaskQueue& queue) {
+    const std::vector<int> again = trees_->regroup_next(state);
+    for (const int part : again) start(state, queue, trees_->region(state, part));
+    labels_changed_ |= !again.empty();
+    return !again.empty();
   }
 
   void exchanged(JobState& state, TaskQueue& queue, const ExchangeResult& result) {

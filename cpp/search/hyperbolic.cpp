@@ -1,8 +1,9 @@
 #include "search/hyperbolic.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "mesh/vertex_turn.h"
 
 namespace foldwright {
 namespace {
@@ -22,17 +23,10 @@ std::vector<int> valences(const Mesh& mesh, std::span<const int> faces) {
 }  // namespace
 
 std::vector<char> hyperbolic_vertices(const Mesh& mesh) {
-  std::vector<double> turn(mesh.positions.size(), 0);
-  for (const auto& corners : mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      const Vec3& apex = mesh.positions[corners[i]];
-      const Vec3 a = mesh.positions[corners[(i + 1) % 3]] - apex;
-      const Vec3 b = mesh.positions[corners[(i + 2) % 3]] - apex;
-      turn[corners[i]] += std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-  }
   std::vector<char> hyperbolic;
-  for (const double angle : turn) hyperbolic.push_back(angle > 2 * std::numbers::pi + kAngleSlack);
+  for (const double turn : vertex_turns(mesh)) {
+    hyperbolic.push_back(turn > 2 * std::numbers::pi + kAngleSlack);
+  }
   return hyperbolic;
 }
 

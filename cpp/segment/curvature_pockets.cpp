@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/vertex_turn.h"
+
 namespace foldwright {
 namespace {
 
@@ -43,7 +45,7 @@ class Pockets {
     return std::span(neighbours_)
         .subspan(first_neighbour_[vertex], first_neighbour_[vertex + 1] - first_neighbour_[vertex]);
   }
-  void measure_curvature();
+  void find_border();
   void find_neighbours();
   void find_panels();
 
@@ -62,26 +64,22 @@ class Pockets {
 Pockets::Pockets(const Mesh& mesh, const DualGraph& graph)
     : mesh_(mesh),
       graph_(graph),
-      curvature_(mesh.positions.size(), 2 * std::numbers::pi),
+      curvature_(vertex_turns(mesh, graph.faces)),
       on_border_(mesh.positions.size(), 0),
       corners_(graph.panel_count()),
       seen_(mesh.positions.size(), 0) {
-  measure_curvature();
+  for (double& turn : curvature_) turn = 2 * std::numbers::pi - turn;
+  find_border();
   find_neighbours();
   find_panels();
 }
 
-void Pockets::measure_curvature() {
+void Pockets::find_border() {
   std::vector<char> is_inside(mesh_.faces.size(), 0);
   for (const int face : graph_.faces) is_inside[face] = 1;
   for (const int face : graph_.faces) {
-    const auto& corners = mesh_.faces[face];
-    for (int i = 0; i < 3; ++i) {
-      const Vec3& apex = mesh_.positions[corners[i]];
-      const Vec3 a = mesh_.positions[corners[(i + 1) % 3]] - apex;
-      const Vec3 b = mesh_.positions[corners[(i + 2) % 3]] - apex;
-      curvature_[corners[i]] -= std::atan2(a.cross(b).norm(), a.dot(b));
-      const Mesh::Edge& edge = mesh_.edges[mesh_.face_edges[face][i]];
+    for (const int e : mesh_.face_edges[face]) {
+      const Mesh::Edge& edge = mesh_.edges[e];
       if (edge.faces[1] != -1 && is_inside[edge.faces[0]] && is_inside[edge.faces[1]]) continue;
       for (const int v : edge.vertices) on_border_[v] = 1;
     }

@@ -70,24 +70,6 @@ std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
   return affinities;
 }
 
-/// Halves of a connected graph: what is nearer to one of two panels far apart than to the other.
-/// Both are connected, because they hold the shortest ways to their panel.
-Labels halves_by_distance(const Mesh& mesh, const DualGraph& graph) {
-  const std::vector<double> lengths = hinge_distances(mesh, graph);
-  const auto farthest = [&](const std::vector<double>& distances) {
-    const auto it = std::max_element(distances.begin(), distances.end());
-    return static_cast<int>(it - distances.begin());
-  };
-  const int one = farthest(distances_from(graph, lengths, 0));
-  const std::vector<double> from_one = distances_from(graph, lengths, one);
-  const std::vector<double> from_other = distances_from(graph, lengths, farthest(from_one));
-  Labels halves;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    halves.push_back(from_other[panel] < from_one[panel]);
-  }
-  return halves;
-}
-
 }  // namespace
 
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
@@ -132,6 +114,23 @@ Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panel
                         {.reach = kBorderReach * std::sqrt(area / learned_panels)});
 }
 
+Labels halve(const Mesh& mesh, const DualGraph& graph) {
+  const std::vector<double> lengths = hinge_distances(mesh, graph);
+  const auto farthest = [&](const std::vector<double>& distances) {
+    const auto it = std::max_element(distances.begin(), distances.end());
+    return static_cast<int>(it - distances.begin());
+  };
+  const int one = farthest(distances_from(graph, lengths, 0));
+  const std::vector<double> from_one = distances_from(graph, lengths, one);
+  const std::vector<double> from_other = distances_from(graph, lengths, farthest(from_one));
+  // Each half is connected, because it holds the shortest ways to its panel.
+  Labels halves;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    halves.push_back(from_other[panel] < from_one[panel]);
+  }
+  return halves;
+}
+
 Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
                     const CarriedFoldability& foldability) {
   assert(graph.panel_count() >= 2);
@@ -149,7 +148,7 @@ Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
     halves = connect_parts(graph, foldability, std::move(halves));
     if (part_count(halves) == 2) return halves;
   }
-  return halves_by_distance(mesh, graph);
+  return halve(mesh, graph);
 }
 
 }  // namespace foldwright

@@ -31,7 +31,11 @@ Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFolda
 /// `learned_panels` panels leaves open: see `smooth_borders`. \pre parts are connected
 Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panels, Labels labels);
 
-/// Splits a connected graph into two connected parts. \pre at least two panels
+/// Halves a connected graph: what is nearer to one of two panels far apart than to the other. Both
+/// halves are connected. \pre at least two panels
+Labels halve(const Mesh& mesh, const DualGraph& graph);
+
+/// Splits a connected graph into two connected parts by what was learned. \pre at least two panels
 Labels split_in_two(const Mesh& mesh, const DualGraph& graph,
                     const CarriedFoldability& foldability);
 

@@ -70,6 +70,8 @@ TEST(PartTrees, ExchangePartsOneByOneInTheirOrder) {
     EXPECT_TRUE(trees.end_exchange(state, {false, {}, {}, {}, 5}).empty());
     EXPECT_FALSE(trees.exchanging());
   }
+  // Of two parts none can be split in the other's stead.
+  EXPECT_TRUE(trees.regroup_next(state).empty());
   EXPECT_FALSE(trees.begin_exchange(state, queue));
   const auto uncured = trees.take_uncured();
   ASSERT_EQ(uncured.size(), 2u);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "segment/labels.h"
+
+namespace foldwright {
+
+/// Parts with other borders, as many as before.
+struct Regrouping {
+  Labels labels;
+  std::vector<int> changed;  ///< parts that are not what they were, ascending
+};
+
+/// Dissolves a part that is far from having a net: it joins a neighbour that balances its curvature,
+/// and the largest other part is split in its stead.
+///
+/// A smooth saddle has no net however it is shared out, because every cut that ends inside makes
+/// the faces around it overlap; together with what bulges next to it, cuts find ends there. So the
+/// neighbour is the one with the longest border to it among those with which, over the inner
+/// vertices of both, there is much less negative curvature for the positive one. What is split is
+/// halved, with a border as smooth as learning on `learned_panels` panels leaves it (see
+/// `smooth_labels`). None if no neighbour will do, or no other part can be split.
+/// \pre parts are connected
+std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, int learned_panels,
+                                  const Labels& labels, int part);
+
+}  // namespace foldwright
