@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "pipeline/learning.h"
+#include "pipeline/net_split.h"
 #include "pipeline/part_trees.h"
 #include "pipeline/search_history.h"
 #include "pipeline/search_notices.h"
+#include "search/overlap_cut.h"
 
 namespace foldwright {
 namespace {
@@ -58,8 +60,9 @@ std::uint64_t key_of(const Region& region) {
 }
 
 /// Finds a net for every part, and a motion that folds it up. What has none first exchanges border
-/// panels with its neighbours; if that does not help it is split with what was learned, recursively
-/// [paper, 4.3, 4.4].
+/// panels with its neighbours, or is regrouped with them (`PartTrees`); if that does not help it is
+/// cut between its overlaps. What evolution does not solve, and what folds in no way where it must,
+/// is split with what was learned, recursively [paper, 4.3, 4.4].
 class SearchStage : public Stage {
  public:
   StageId id() const override { return StageId::kSearch; }
@@ -305,8 +308,23 @@ class SearchStage : public Stage {
     const bool is_net = search.best.is_net();
     if (is_net && state.options.folding != FoldingMode::kRequire) {
       settle(state, std::move(search), events);
+    } else if (state.options.solver == Solver::kTree && search.best.overlaps > 0) {
+      cut_between_overlaps(state, queue, std::move(search));
     } else {
       split(state, queue, std::move(search.region), is_net ? Cause::kNoMotion : Cause::kNoNet);
+    }
+  }
+
+  /// Cuts the best tree where that parts most overlaps, so that few pieces come of it: what was
+  /// learned tells nothing of the one place that is at fault.
+  void cut_between_overlaps(const JobState& state, TaskQueue& queue, Search search) {
+    const Component& component = state.components[search.region.component];
+    const DualGraph graph = restrict_to(component.graph, search.region.panels);
+    const int fold = best_overlap_cut(graph, search.best.folds);
+    const FoundNet whole{std::move(search.region), std::move(search.best.folds), {}};
+    for (FoundNet& half : split_net(component, whole, fold)) {
+      half.region.cause = Cause::kNoNet;
+      start(state, queue, std::move(half.region), std::move(half.folds));
     }
   }
 

@@ -1,7 +1,7 @@
 // How time and memory grow with the number of faces: every stage of a job on one detailed model,
 // simplified to each size beforehand, on one thread. `bench_growth [--least FACES] [--most FACES]
-// [--parts K] [--no-folding] [--keep FOLDER]`: 0 parts lets the shape decide; FOLDER gets the
-// simplified models, as FACES.off.
+// [--parts K] [--seed N] [--no-folding] [--keep FOLDER]`: 0 parts lets the shape decide; FOLDER
+// gets the simplified models, as FACES.off.
 
 #include <sys/resource.h>
 
@@ -38,6 +38,7 @@ Wishes wishes_of(int argc, char** argv) {
     if (name == "--least") wishes.least = std::atoi(argv[++i]);
     if (name == "--most") wishes.most = std::atoi(argv[++i]);
     if (name == "--parts") wishes.job.parts = std::atoi(argv[++i]);
+    if (name == "--seed") wishes.job.seed = std::strtoull(argv[++i], nullptr, 10);
     if (name == "--keep") wishes.keep = argv[++i];
   }
   return wishes;

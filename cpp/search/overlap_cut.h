@@ -1,0 +1,12 @@
+#pragma once
+
+#include "unfold/spanning_tree.h"
+
+namespace foldwright {
+
+/// Index into `folds` of the fold that parts most of the overlapping pairs of panels when it is
+/// cut; of several the one that leaves the most even halves. \pre `folds` spans the graph, which
+/// has at least two panels
+int best_overlap_cut(const DualGraph& graph, const FoldTree& folds);
+
+}  // namespace foldwright
