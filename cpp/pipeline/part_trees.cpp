@@ -13,8 +13,9 @@ constexpr std::uint64_t kExchange = 4;  // names the border exchange in task_see
 // Exchanges of one part: the first gives it a net, another one, if need be, a net that folds.
 constexpr int kMostExchanges = 3;
 
-// A part is far from a net with so many overlaps for each of its panels, but not with fewer than the
-// least of these, and always with the most. Exchanges cure one overlap in a hundred panels and less.
+// A part is far from a net with so many overlaps for each of its panels, but not with fewer than
+// the least of these, and always with the most. Exchanges cure one overlap in a hundred panels and
+// less.
 constexpr double kFarShare = 0.02;
 constexpr double kLeastFar = 10;
 constexpr double kMostFar = 40;
@@ -74,8 +75,8 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
     to_regroup_.erase(part);
     const int learned_panels =
         component.learned ? component.learned->matrix.size : component.graph.panel_count();
-    auto regrouping = regroup(state.surface->mesh, component.graph, learned_panels,
-                              component.labels, label);
+    auto regrouping =
+        regroup(state.surface->mesh, component.graph, learned_panels, component.labels, label);
     if (!regrouping) {
       (exchanges_[part] == 0 ? waiting_ : uncured_).insert(part);
       continue;

@@ -25,9 +25,9 @@ bool is_far_from_net(const Region& region, const Candidate& candidate);
 /// The best tree of every whole part, and what parts give each other where one has none.
 ///
 /// That waits until all parts have been tried, and then goes one by one in the order of parts: each
-/// changes the borders that the next one sees. Parts far from a net are regrouped first. Then border
-/// panels are exchanged: a part without a net is given one, and one without a motion a net that
-/// folds straight. Parts that still have no net are regrouped, too; each is only once.
+/// changes the borders that the next one sees. Parts far from a net are regrouped first. Then
+/// border panels are exchanged: a part without a net is given one, and one without a motion a net
+/// that folds straight. Parts that still have no net are regrouped, too; each is only once.
 class PartTrees {
  public:
   /// \pre the components have labels, and their parts numbers
@@ -85,8 +85,8 @@ class PartTrees {
   std::vector<Place> parts_;   ///< by part
   std::map<int, Tree> trees_;  ///< by part
   std::set<int> to_regroup_;
-  std::set<int> regrouped_;    ///< parts that were, or cannot be
-  std::set<int> waiting_;      ///< parts whose exchange is to come
+  std::set<int> regrouped_;  ///< parts that were, or cannot be
+  std::set<int> waiting_;    ///< parts whose exchange is to come
   std::set<int> uncured_;
   std::map<int, int> exchanges_;  ///< by part: how many it had
   std::optional<int> exchange_;   ///< part whose exchange is under way

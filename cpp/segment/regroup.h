@@ -13,8 +13,8 @@ struct Regrouping {
   std::vector<int> changed;  ///< parts that are not what they were, ascending
 };
 
-/// Dissolves a part that is far from having a net: it joins a neighbour that balances its curvature,
-/// and the largest other part is split in its stead.
+/// Dissolves a part that is far from having a net: it joins a neighbour that balances its
+/// curvature, and the largest other part is split in its stead.
 ///
 /// A smooth saddle has no net however it is shared out, because every cut that ends inside makes
 /// the faces around it overlap; together with what bulges next to it, cuts find ends there. So the
