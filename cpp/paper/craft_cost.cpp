@@ -17,7 +17,7 @@ constexpr double kLeastRoom = 1;
 
 // What a cut edge costs by the height of the flap that it has room for, from the full one down:
 // narrower ones hold, but glue less well; what is nearly a flap may become one.
-constexpr double kAtFull = 0, kAtLeast = 0.12, kNearly = 1, kNone = 1.35;
+constexpr double kAtFull = 0, kAtLeast = 0.5, kNearly = 1, kNone = 1.35;
 
 RigidMotion2 scaled(RigidMotion2 motion, double scale) {
   motion.t *= scale;
