@@ -4,11 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "segment/concave_geodesic.h"
 #include "segment/connect_parts.h"
 #include "segment/hinge_measures.h"
+#include "segment/mirror.h"
 #include "segment/smooth_borders.h"
 #include "segment/spectral.h"
 
@@ -61,13 +63,32 @@ std::vector<int> each_row(int count) {
   return rows;
 }
 
-std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
-                                              std::span<const float> geodesic) {
-  std::vector<Affinity> affinities;
-  for (const ShapeCue& cue : kCuesForCounting) {
-    affinities.push_back(shape_affinity(matrix, geodesic, cue));
+/// Per panel the one where its mirror image is; empty where there is no mirror plane.
+std::vector<int> mirror_images(const Mesh& mesh, const DualGraph& graph) {
+  const std::optional<Mirror> mirror = find_mirror(mesh, graph);
+  return mirror ? mirrored_panels(mesh, graph, *mirror) : std::vector<int>{};
+}
+
+/// What panels are clustered by, and counted by where nobody says how many parts there are.
+struct Cues {
+  Affinity affinity;
+  std::vector<Affinity> for_counting;
+  std::vector<int> images;  ///< of panels in the mirror, or none
+};
+
+Cues cues_of(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+             const SegmentOptions& options) {
+  if (options.segmenter == Segmenter::kFoldability) {
+    const Affinity affinity = foldability_affinity(matrix);
+    return {affinity, {affinity}, {}};
   }
-  return affinities;
+  const std::vector<float> geodesic = concave_geodesic(mesh, graph);
+  Cues cues{shape_affinity(matrix, geodesic), {}, mirror_images(mesh, graph)};
+  if (options.parts > 0) return cues;
+  for (const ShapeCue& cue : kCuesForCounting) {
+    cues.for_counting.push_back(shape_affinity(matrix, geodesic, cue));
+  }
+  return cues;
 }
 
 }  // namespace
@@ -75,17 +96,10 @@ std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
                const SegmentOptions& options) {
   assert(options.parts <= graph.panel_count());
-  Affinity affinity;
-  int parts = options.parts;
-  if (options.segmenter == Segmenter::kShape) {
-    const std::vector<float> geodesic = concave_geodesic(mesh, graph);
-    affinity = shape_affinity(matrix, geodesic);
-    if (parts == 0) parts = estimate_parts(affinities_for_counting(matrix, geodesic));
-  } else {
-    affinity = foldability_affinity(matrix);
-    if (parts == 0) parts = estimate_parts(std::span(&affinity, 1));
-  }
-  const Labels labels = spectral_clusters(affinity, {.parts = parts, .seed = options.seed});
+  const Cues cues = cues_of(mesh, graph, matrix, options);
+  const int parts = options.parts > 0 ? options.parts : estimate_parts(cues.for_counting);
+  const Labels labels = spectral_clusters(
+      cues.affinity, {.parts = parts, .seed = options.seed, .images = cues.images});
   return connect_parts(graph, {matrix, each_row(graph.panel_count())}, labels);
 }
 

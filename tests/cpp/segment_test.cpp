@@ -10,6 +10,8 @@
 #include "mesh/simplify.h"
 #include "meshes.h"
 #include "parts.h"
+#include "segment/mirror.h"
+#include "segmentation_scores.h"
 
 namespace foldwright::testing {
 namespace {
@@ -67,6 +69,24 @@ TEST(Segment, TellsTheBallsOfADumbbellApart) {
     EXPECT_EQ(above.size(), 1u);
     EXPECT_NE(below, above);
   }
+}
+
+TEST(Segment, MirrorsThePartsOfASymmetricModel) {
+  const Unfoldable surface = unfoldable(bilateral(600));
+  const FoldabilityMatrix matrix = learn(surface, 100);
+  const std::vector<int> images =
+      mirrored_panels(surface.mesh, surface.graph, {Vec3::UnitX(), 0, 0});
+  const std::vector<int> numbers = {0, 3, 4, 5, 6, 8, 11};
+  double mean = 0;
+  for (const int parts : numbers) {
+    SCOPED_TRACE(parts);
+    const Labels labels = segment(surface.mesh, surface.graph, matrix, {.parts = parts});
+    EXPECT_EQ(fault_of_parts(surface.graph, labels), "");
+    const double mirrored = mirror_symmetry(labels, surface.graph.areas, images);
+    EXPECT_GT(mirrored, 0.85);
+    mean += mirrored / static_cast<double>(numbers.size());
+  }
+  EXPECT_GT(mean, 0.95);
 }
 
 TEST(SplitInTwo, GivesTwoConnectedParts) {
