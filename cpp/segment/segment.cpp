@@ -13,6 +13,7 @@
 #include "segment/mirror.h"
 #include "segment/smooth_borders.h"
 #include "segment/spectral.h"
+#include "segment/subdivide.h"
 
 namespace foldwright {
 namespace {
@@ -36,14 +37,19 @@ std::vector<int> panels_of(const Labels& labels, int part) {
   return panels;
 }
 
+std::vector<double> part_areas(const DualGraph& graph, const Labels& labels) {
+  std::vector<double> areas(part_count(labels), 0);
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    areas[labels[panel]] += graph.areas[panel];
+  }
+  return areas;
+}
+
 /// The part of largest area that has more than one panel; -1 when there is none.
 int largest_divisible(const DualGraph& graph, const Labels& labels) {
-  std::vector<double> area(part_count(labels), 0);
+  const std::vector<double> area = part_areas(graph, labels);
   std::vector<int> size(area.size(), 0);
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    area[labels[panel]] += graph.areas[panel];
-    ++size[labels[panel]];
-  }
+  for (const int label : labels) ++size[label];
   int best = -1;
   for (int part = 0; part < static_cast<int>(area.size()); ++part) {
     if (size[part] > 1 && (best == -1 || area[part] > area[best])) best = part;
@@ -91,6 +97,26 @@ Cues cues_of(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& 
   return cues;
 }
 
+/// Divides parts of more area than allowed, the largest first.
+Labels divide_large(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+                    const SegmentOptions& options, Labels labels) {
+  for (int count = part_count(labels); count < kMostEstimatedParts; count = part_count(labels)) {
+    const int part = largest_divisible(graph, labels);
+    if (part == -1) break;
+    const double excess = part_areas(graph, labels)[part] / options.largest_area;
+    if (excess <= 1) break;
+    const std::vector<int> panels = panels_of(labels, part);
+    const int most = std::min(static_cast<int>(panels.size()), kMostEstimatedParts - count + 1);
+    const auto pieces = static_cast<int>(std::min(std::ceil(excess), static_cast<double>(most)));
+    const Labels divided = subdivide(mesh, restrict_to(graph, panels), restrict_to(matrix, panels),
+                                     pieces, options.seed);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      if (divided[i] > 0) labels[panels[i]] = count + divided[i] - 1;
+    }
+  }
+  return renumbered(labels);
+}
+
 }  // namespace
 
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
@@ -98,9 +124,11 @@ Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix
   assert(options.parts <= graph.panel_count());
   const Cues cues = cues_of(mesh, graph, matrix, options);
   const int parts = options.parts > 0 ? options.parts : estimate_parts(cues.for_counting);
-  const Labels labels = spectral_clusters(
-      cues.affinity, {.parts = parts, .seed = options.seed, .images = cues.images});
-  return connect_parts(graph, {matrix, each_row(graph.panel_count())}, labels);
+  Labels labels = spectral_clusters(cues.affinity,
+                                    {.parts = parts, .seed = options.seed, .images = cues.images});
+  labels = connect_parts(graph, {matrix, each_row(graph.panel_count())}, std::move(labels));
+  if (options.parts > 0 || options.segmenter == Segmenter::kFoldability) return labels;
+  return divide_large(mesh, graph, matrix, options, std::move(labels));
 }
 
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,

@@ -18,9 +18,6 @@ namespace {
 // Products of different unit eigenvectors stay below this; Lanczos' own tolerance is 1e-10.
 constexpr double kOrthogonal = 1e-6;
 
-// An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
-constexpr int kMostEstimatedParts = 20;
-
 // Exponent of the factor in the estimate.
 constexpr double kPreferMore = 0.2;
 

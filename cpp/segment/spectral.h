@@ -8,6 +8,9 @@
 
 namespace foldwright {
 
+/// No paper model is crafted from more parts than that unless someone asks for them.
+inline constexpr int kMostEstimatedParts = 20;
+
 struct SpectralOptions {
   int parts = 1;      ///< number of clusters, 1 to the number of panels
   int restarts = 10;  ///< of k-means++; the best inertia wins, then the lowest restart

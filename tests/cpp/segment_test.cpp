@@ -71,6 +71,30 @@ TEST(Segment, TellsTheBallsOfADumbbellApart) {
   }
 }
 
+TEST(Segment, MakesNoPartLargerThanAllowedWhereItEstimatesTheNumber) {
+  const Unfoldable surface = unfoldable(dumbbell());
+  const FoldabilityMatrix matrix = learn(surface, 60);
+  double total = 0;
+  for (const double area : surface.graph.areas) total += area;
+  const auto segmented = [&](int parts, double share) {
+    return segment(surface.mesh, surface.graph, matrix,
+                   {.parts = parts, .largest_area = share * total});
+  };
+  EXPECT_EQ(segmented(0, 1), segment(surface.mesh, surface.graph, matrix));
+  EXPECT_EQ(segmented(3, 0.01), segment(surface.mesh, surface.graph, matrix, {.parts = 3}));
+  for (const double share : {0.4, 0.2, 0.1}) {
+    SCOPED_TRACE(share);
+    const Labels labels = segmented(0, share);
+    EXPECT_EQ(fault_of_parts(surface.graph, labels), "");
+    std::vector<double> areas(part_count(labels), 0);
+    for (int panel = 0; panel < surface.graph.panel_count(); ++panel) {
+      areas[labels[panel]] += surface.graph.areas[panel];
+    }
+    EXPECT_LE(*std::ranges::max_element(areas), share * total);
+  }
+  EXPECT_LE(part_count(segmented(0, 0.001)), 20);
+}
+
 TEST(Segment, MirrorsThePartsOfASymmetricModel) {
   const Unfoldable surface = unfoldable(bilateral(600));
   const FoldabilityMatrix matrix = learn(surface, 100);
