@@ -20,6 +20,12 @@ double gap_along(const Vec3& axis, const Triangle3& a, const Triangle3& b) {
   return std::max(low_b - high_a, low_a - high_b);
 }
 
+Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm();
+  return length2 > 0 ? Vec3(a + std::clamp((p - a).dot(along) / length2, 0.0, 1.0) * along) : a;
+}
+
 }  // namespace
 
 Box3 box_of(const Triangle3& t) {
@@ -29,6 +35,22 @@ Box3 box_of(const Triangle3& t) {
     box.max[i] = std::max({t[0][i], t[1][i], t[2][i]});
   }
   return box;
+}
+
+Vec3 closest_point(const Triangle3& t, const Vec3& p) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double area2 = normal.squaredNorm();
+  bool above = area2 > 0;
+  for (int i = 0; i < 3 && above; ++i) {
+    above = normal.dot((t[(i + 1) % 3] - t[i]).cross(p - t[i])) >= 0;
+  }
+  if (above) return p - normal * (normal.dot(p - t[0]) / area2);
+  Vec3 best = closest_on_segment(t[0], t[1], p);
+  for (int i = 1; i < 3; ++i) {
+    const Vec3 other = closest_on_segment(t[i], t[(i + 1) % 3], p);
+    if ((other - p).squaredNorm() < (best - p).squaredNorm()) best = other;
+  }
+  return best;
 }
 
 Triangle3 moved(const RigidMotion3& motion, const Triangle2& t) {

@@ -17,6 +17,9 @@ Box3 box_of(const Triangle3& t);
 Triangle3 moved(const RigidMotion3& motion, const Triangle2& t);
 Triangle3 moved(const RigidMotion3& motion, const Triangle3& t);
 
+/// The point of a triangle that is nearest to `p`.
+Vec3 closest_point(const Triangle3& t, const Vec3& p);
+
 /// Each side moved inwards by `depth`: scaled about the incentre by 1 - depth / r, r the inradius,
 /// but by no less than `least`.
 Triangle2 eroded(const Triangle2& t, double depth, double least);

@@ -1,4 +1,5 @@
 #include "pipeline/matrix_picture.h"
+#include "pipeline/model_size.h"
 #include "pipeline/stage.h"
 #include "segment/curvature_pockets.h"
 #include "segment/subdivide.h"
@@ -17,7 +18,9 @@ Labels label_learned(const JobState& state, const Component& component) {
   if (is_part && options.segmenter == Segmenter::kShape) {
     return subdivide(mesh, graph, learned.matrix, component.parts, options.seed);
   }
-  return segment(mesh, graph, learned.matrix, {options.segmenter, component.parts, options.seed});
+  return segment(mesh, graph, learned.matrix,
+                 {options.segmenter, component.parts, options.seed,
+                  largest_part_area(state.surface->mesh, options)});
 }
 
 /// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned

@@ -1,16 +1,21 @@
 #include <algorithm>
+#include <numeric>
 
 #include "pipeline/learning.h"
 #include "pipeline/matrix_picture.h"
+#include "pipeline/model_size.h"
 
 namespace foldwright {
 namespace {
 
 /// A component that stays whole, or whose number of parts is known without it, needs no learning: a
-/// convex one unfolds whole (its matrix is all ones).
-bool needs_learning(const Component& component) {
+/// convex one unfolds whole (its matrix is all ones), if that is not too large for a sheet.
+bool needs_learning(const JobState& state, const Component& component) {
   if (component.graph.panel_count() == 1) return false;
-  return component.parts > 1 || (component.parts == 0 && !component.convex);
+  if (component.parts > 0) return component.parts > 1;
+  const std::vector<double>& areas = component.graph.areas;
+  return !component.convex || std::accumulate(areas.begin(), areas.end(), 0.0) >
+                                  largest_part_area(state.surface->mesh, state.options);
 }
 
 /// Learns the foldability of every component that will be clustered [paper, 4.1].
@@ -20,7 +25,7 @@ class LearnStage : public Stage {
 
   void begin(JobState& state, TaskQueue& queue, Events&) override {
     for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
-      if (needs_learning(state.components[c])) learnings_.emplace_back(state, c, queue);
+      if (needs_learning(state, state.components[c])) learnings_.emplace_back(state, c, queue);
     }
     runs_wanted_ = state.options.runs * static_cast<int>(learnings_.size());
   }

@@ -1,5 +1,6 @@
 #include "pipeline/model_size.h"
 
+#include <limits>
 #include <string>
 
 #include "mesh/input_error.h"
@@ -8,6 +9,12 @@ namespace foldwright {
 namespace {
 
 constexpr double kLeastModel = 20;  // mm
+
+// Share of a sheet's printable area that the faces of a part may cover. Nets of nine organic models
+// that just fit A4 cover 0.17 to 0.62 of it, a tenth of them more than this; but nets of a model
+// whose size is known are annealed towards the sheet. With 0.4 spot at 300 mm has 20 pieces, and 15
+// with this, none of them cut again.
+constexpr double kSheetShare = 0.5;
 
 double per_extent(double wished, double extent, const std::string& direction) {
   if (extent > 0) return wished / extent;
@@ -54,6 +61,14 @@ double fixed_scale(const Mesh& mesh, const SizeOptions& size) {
   if (size.by == Sizing::kHeight) return per_extent(size.value, extent.y(), "height");
   if (size.by == Sizing::kWidth) return per_extent(size.value, extent.x(), "width");
   return size.value * millimetres(model_unit(mesh, size.unit).unit);
+}
+
+double largest_part_area(const Mesh& mesh, const JobOptions& options) {
+  const Sizing by = options.size.by;
+  if (by == Sizing::kFit || by == Sizing::kSheets) return std::numeric_limits<double>::infinity();
+  const double scale = fixed_scale(mesh, options.size);
+  const Extent room = printable(options.sheet);
+  return kSheetShare * room.width * room.height / (scale * scale);
 }
 
 }  // namespace foldwright

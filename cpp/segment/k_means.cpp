@@ -95,8 +95,10 @@ std::vector<int> k_means(const Eigen::MatrixXd& points, int k, const KMeansOptio
   for (int restart = 0; restart < options.restarts; ++restart) {
     Random random(task_seed(options.seed, kStage, 0, static_cast<std::uint64_t>(restart)));
     Clustering clustering = lloyd(points, k, options.iterations, random);
-    if (clustering.inertia() >= least) continue;
-    least = clustering.inertia();
+    const double factor = options.factor ? options.factor(clustering.labels) : 1;
+    const double cost = clustering.inertia() * factor;
+    if (cost >= least) continue;
+    least = cost;
     best = std::move(clustering);
   }
   return best.labels;

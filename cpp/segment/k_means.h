@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace foldwright {
@@ -10,6 +12,8 @@ struct KMeansOptions {
   int restarts = 10;
   int iterations = 100;  ///< per restart; Lloyd's algorithm settles within some tens
   std::uint64_t seed = 1;
+  /// What the inertia of a restart's labels counts times when restarts are compared; none: once.
+  std::function<double(std::span<const int>)> factor = {};
 };
 
 /// Clusters the rows of `points` into k groups by Lloyd's algorithm from k-means++ seeds; the

@@ -4,13 +4,16 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "segment/concave_geodesic.h"
 #include "segment/connect_parts.h"
 #include "segment/hinge_measures.h"
+#include "segment/mirror.h"
 #include "segment/smooth_borders.h"
 #include "segment/spectral.h"
+#include "segment/subdivide.h"
 
 namespace foldwright {
 namespace {
@@ -34,14 +37,19 @@ std::vector<int> panels_of(const Labels& labels, int part) {
   return panels;
 }
 
+std::vector<double> part_areas(const DualGraph& graph, const Labels& labels) {
+  std::vector<double> areas(part_count(labels), 0);
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    areas[labels[panel]] += graph.areas[panel];
+  }
+  return areas;
+}
+
 /// The part of largest area that has more than one panel; -1 when there is none.
 int largest_divisible(const DualGraph& graph, const Labels& labels) {
-  std::vector<double> area(part_count(labels), 0);
+  const std::vector<double> area = part_areas(graph, labels);
   std::vector<int> size(area.size(), 0);
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    area[labels[panel]] += graph.areas[panel];
-    ++size[labels[panel]];
-  }
+  for (const int label : labels) ++size[label];
   int best = -1;
   for (int part = 0; part < static_cast<int>(area.size()); ++part) {
     if (size[part] > 1 && (best == -1 || area[part] > area[best])) best = part;
@@ -61,13 +69,52 @@ std::vector<int> each_row(int count) {
   return rows;
 }
 
-std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
-                                              std::span<const float> geodesic) {
-  std::vector<Affinity> affinities;
-  for (const ShapeCue& cue : kCuesForCounting) {
-    affinities.push_back(shape_affinity(matrix, geodesic, cue));
+/// Per panel the one where its mirror image is; empty where there is no mirror plane.
+std::vector<int> mirror_images(const Mesh& mesh, const DualGraph& graph) {
+  const std::optional<Mirror> mirror = find_mirror(mesh, graph);
+  return mirror ? mirrored_panels(mesh, graph, *mirror) : std::vector<int>{};
+}
+
+/// What panels are clustered by, and counted by where nobody says how many parts there are.
+struct Cues {
+  Affinity affinity;
+  std::vector<Affinity> for_counting;
+  std::vector<int> images;  ///< of panels in the mirror, or none
+};
+
+Cues cues_of(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+             const SegmentOptions& options) {
+  if (options.segmenter == Segmenter::kFoldability) {
+    const Affinity affinity = foldability_affinity(matrix);
+    return {affinity, {affinity}, {}};
   }
-  return affinities;
+  const std::vector<float> geodesic = concave_geodesic(mesh, graph);
+  Cues cues{shape_affinity(matrix, geodesic), {}, mirror_images(mesh, graph)};
+  if (options.parts > 0) return cues;
+  for (const ShapeCue& cue : kCuesForCounting) {
+    cues.for_counting.push_back(shape_affinity(matrix, geodesic, cue));
+  }
+  return cues;
+}
+
+/// Divides parts of more area than allowed, the largest first.
+Labels divide_large(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
+                    const SegmentOptions& options, Labels labels) {
+  for (int count = part_count(labels); count < kMostEstimatedParts; count = part_count(labels)) {
+    const int part = largest_divisible(graph, labels);
+    if (part == -1) break;
+    const double excess = part_areas(graph, labels)[part] / options.largest_area;
+    if (excess <= 1) break;
+    const std::vector<int> panels = panels_of(labels, part);
+    const int most = std::min(static_cast<int>(panels.size()), kMostEstimatedParts - count + 1);
+    const auto pieces = static_cast<int>(std::min(std::ceil(excess), static_cast<double>(most)));
+    const Labels divided = subdivide(mesh, restrict_to(graph, panels), restrict_to(matrix, panels),
+                                     pieces, options.seed);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      if (divided[i] > 0) labels[panels[i]] = count + divided[i] - 1;
+    }
+  }
+  return renumbered(labels);
 }
 
 }  // namespace
@@ -75,18 +122,13 @@ std::vector<Affinity> affinities_for_counting(const FoldabilityMatrix& matrix,
 Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
                const SegmentOptions& options) {
   assert(options.parts <= graph.panel_count());
-  Affinity affinity;
-  int parts = options.parts;
-  if (options.segmenter == Segmenter::kShape) {
-    const std::vector<float> geodesic = concave_geodesic(mesh, graph);
-    affinity = shape_affinity(matrix, geodesic);
-    if (parts == 0) parts = estimate_parts(affinities_for_counting(matrix, geodesic));
-  } else {
-    affinity = foldability_affinity(matrix);
-    if (parts == 0) parts = estimate_parts(std::span(&affinity, 1));
-  }
-  const Labels labels = spectral_clusters(affinity, {.parts = parts, .seed = options.seed});
-  return connect_parts(graph, {matrix, each_row(graph.panel_count())}, labels);
+  const Cues cues = cues_of(mesh, graph, matrix, options);
+  const int parts = options.parts > 0 ? options.parts : estimate_parts(cues.for_counting);
+  Labels labels = spectral_clusters(cues.affinity,
+                                    {.parts = parts, .seed = options.seed, .images = cues.images});
+  labels = connect_parts(graph, {matrix, each_row(graph.panel_count())}, std::move(labels));
+  if (options.parts > 0 || options.segmenter == Segmenter::kFoldability) return labels;
+  return divide_large(mesh, graph, matrix, options, std::move(labels));
 }
 
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "segment/foldability.h"
 #include "segment/labels.h"
 
@@ -13,6 +15,9 @@ struct SegmentOptions {
   Segmenter segmenter = Segmenter::kShape;
   int parts = 0;  ///< number of parts, at most the number of panels; 0 estimates it
   std::uint64_t seed = 1;
+  /// With `kShape` and an estimated number: parts of more area, in square model units, are divided
+  /// as `subdivide` does it, until there are 20 parts.
+  double largest_area = std::numeric_limits<double>::infinity();
 };
 
 /// Connected parts of the graph that was learned on: spectral clusters, made connected by Eq. (1)

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "segment/k_means.h"
+#include "segment/mirror_clusters.h"
 
 namespace foldwright {
 namespace {
@@ -17,11 +18,12 @@ namespace {
 // Products of different unit eigenvectors stay below this; Lanczos' own tolerance is 1e-10.
 constexpr double kOrthogonal = 1e-6;
 
-// An estimate looks at this many eigenvalues; no paper model is crafted from more parts than that.
-constexpr int kMostEstimatedParts = 20;
-
 // Exponent of the factor in the estimate.
 constexpr double kPreferMore = 0.2;
+
+// Inertia counts so many times more for the share of panels that are not mirrored: restarts that
+// differ by a tenth are often equally good, and not equally symmetric.
+constexpr double kPreferMirrored = 1;
 
 /// D^-1/2 A D^-1/2.
 Eigen::MatrixXd normalized(const Affinity& affinity) {
@@ -94,8 +96,13 @@ Labels spectral_clusters(const Affinity& affinity, const SpectralOptions& option
     const double norm = embedding.row(i).norm();
     if (norm > 0) embedding.row(i) /= norm;
   }
-  return renumbered(
-      k_means(embedding, options.parts, {.restarts = options.restarts, .seed = options.seed}));
+  KMeansOptions k_means_options{.restarts = options.restarts, .seed = options.seed};
+  if (options.images.empty()) return renumbered(k_means(embedding, options.parts, k_means_options));
+  k_means_options.factor = [&](std::span<const int> labels) {
+    return 1 + kPreferMirrored * (1 - mirrored_share(labels, options.images));
+  };
+  const Labels labels = k_means(embedding, options.parts, k_means_options);
+  return renumbered(mirror_clusters(embedding, options.images, labels));
 }
 
 int estimate_parts(std::span<const Affinity> affinities) {

@@ -8,10 +8,16 @@
 
 namespace foldwright {
 
+/// No paper model is crafted from more parts than that unless someone asks for them.
+inline constexpr int kMostEstimatedParts = 20;
+
 struct SpectralOptions {
   int parts = 1;      ///< number of clusters, 1 to the number of panels
   int restarts = 10;  ///< of k-means++; the best inertia wins, then the lowest restart
   std::uint64_t seed = 1;
+  /// Per panel the one where its mirror image is: then restarts whose clusters mirror each other
+  /// are preferred, and clusters that nearly do are made to (`mirror_clusters`). Or empty.
+  std::span<const int> images = {};
 };
 
 /// Normalised spectral clustering [paper, 4.2]: k-means++ on the row-normalised leading

@@ -14,7 +14,7 @@ const targets = [
   { faces: 1000, stage: 'search-whole', seconds: 0.1 },
 ];
 const ratioTarget = 1.5;
-const studies = ['foldability', 'craft', 'runs', 'heuristics', 'pieces'];
+const studies = ['foldability', 'craft', 'runs', 'heuristics', 'pieces', 'benchmark', 'gallery'];
 
 function run(program, args, stdio = ['ignore', 'pipe', 'inherit']) {
   const { status, stdout, error } = spawnSync(program, args, {

@@ -200,9 +200,10 @@ TEST(JobEdits, KeepNetsThatSheetsCutAgain) {
   ASSERT_GT(earlier.result->pieces.size(), 3u);
   const Outcome later = run_from(mesh, start_of(*earlier.result, {{{0}, 2}}), options);
   expect_sound(later);
-  const auto is_other = [](const SavedNet& net) { return net.part != 0; };
-  EXPECT_EQ(kept_nets(*earlier.result, *later.result),
-            std::ranges::count_if(earlier.result->nets, is_other));
+  // Of the part that is split a net may come out again by chance, so only the others count.
+  JobResult others = *earlier.result;
+  std::erase_if(others.nets, [](const SavedNet& net) { return net.part == 0; });
+  EXPECT_EQ(kept_nets(others, *later.result), static_cast<int>(others.nets.size()));
 }
 
 TEST(JobEdits, SearchPartsWithoutNetsAgain) {

@@ -6,6 +6,7 @@
 #include "job_runs.h"
 #include "meshes.h"
 #include "pipeline/model_size.h"
+#include "segment/spectral.h"
 
 namespace foldwright::testing {
 namespace {
@@ -58,6 +59,33 @@ TEST(JobSize, CutsAgainWhatIsTooLargeForTheSheet) {
       EXPECT_EQ(key.size(), piece.net.edges.size());
     }
   }
+}
+
+int parts_by_auto(const Mesh& mesh, const SizeOptions& size) {
+  JobOptions options{.parts = 0, .runs = 60, .compaction = false};
+  options.size = size;
+  const Outcome outcome = run(mesh, options);
+  expect_sound(outcome);
+  return outcome.result->parts;
+}
+
+TEST(JobSize, AsksForMorePartsWhereSheetsNeedThem) {
+  for (const Mesh& mesh : {bumpy_sphere(300), dumbbell(), random_hull(5, 200)}) {
+    SCOPED_TRACE(mesh.face_count());
+    const int fitting = parts_by_auto(mesh, {});
+    EXPECT_EQ(parts_by_auto(mesh, {Sizing::kSheets, 2}), fitting);
+    EXPECT_EQ(parts_by_auto(mesh, {Sizing::kHeight, 60}), fitting);
+    const int large = parts_by_auto(mesh, {Sizing::kHeight, 250});
+    EXPECT_GT(large, fitting);
+    EXPECT_LE(large, kMostEstimatedParts);
+    EXPECT_GE(parts_by_auto(mesh, {Sizing::kHeight, 350}), large);
+  }
+}
+
+TEST(JobSize, LeavesANumberThatIsAskedForAlone) {
+  const Outcome outcome = run(dumbbell(), sized(Sizing::kHeight, 400, 2));
+  ASSERT_TRUE(outcome.result);
+  EXPECT_EQ(outcome.result->parts, 2);
 }
 
 TEST(JobSize, IsTheLargestThatGoesOnSoManySheets) {

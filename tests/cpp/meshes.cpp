@@ -307,6 +307,16 @@ Mesh bumpy_sphere(int faces) {
   return sphere;
 }
 
+Mesh bilateral(int faces) {
+  Mesh mesh = bumpy_sphere(faces);
+  for (Vec3& p : mesh.positions) {
+    p.normalize();
+    const double across = std::sin(4 * std::abs(p.x()) + 1);
+    p *= 1 + 0.3 * across * std::sin(3 * p.y() + 2) * std::sin(4 * p.z() + 3);
+  }
+  return mesh;
+}
+
 PolygonSoup mobius_strip(int quads) {
   std::vector<Vec3> positions;
   std::vector<std::vector<int>> polygons;

@@ -58,6 +58,9 @@ Mesh dumbbell();
 /// Sphere with gentle hills, about `faces` triangles: closed, not convex. \pre faces >= 24
 Mesh bumpy_sphere(int faces);
 
+/// Sphere with higher hills, symmetric about x = 0 alone; its triangles are not. \pre faces >= 24
+Mesh bilateral(int faces);
+
 /// Moebius strip of `quads` quads: non-orientable, so only `repair` makes a Mesh of it. \pre >= 3
 PolygonSoup mobius_strip(int quads);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesh/input_error.h"
 #include "meshes.h"
 
@@ -44,6 +46,23 @@ TEST(FixedScale, RefusesADirectionWithoutExtent) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.code(), "no-height");
   }
+}
+
+TEST(LargestPartArea, GoesWithTheSheetAndTheSize) {
+  const Mesh mesh = cube_of(2);
+  JobOptions options;
+  for (const Sizing by : {Sizing::kFit, Sizing::kSheets}) {
+    options.size = {by, 2};
+    EXPECT_TRUE(std::isinf(largest_part_area(mesh, options)));
+  }
+  options.size = {Sizing::kHeight, 100};
+  const double area = largest_part_area(mesh, options);
+  const Extent room = printable(options.sheet);
+  const double share = area * 50 * 50 / (room.width * room.height);
+  EXPECT_GT(share, 0.2);
+  EXPECT_LT(share, 0.8);
+  options.size.value = 200;
+  EXPECT_DOUBLE_EQ(largest_part_area(mesh, options), area / 4);
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "mesh/simplify.h"
 #include "meshes.h"
 #include "parts.h"
+#include "segment/mirror.h"
+#include "segmentation_scores.h"
 
 namespace foldwright::testing {
 namespace {
@@ -67,6 +69,48 @@ TEST(Segment, TellsTheBallsOfADumbbellApart) {
     EXPECT_EQ(above.size(), 1u);
     EXPECT_NE(below, above);
   }
+}
+
+TEST(Segment, MakesNoPartLargerThanAllowedWhereItEstimatesTheNumber) {
+  const Unfoldable surface = unfoldable(dumbbell());
+  const FoldabilityMatrix matrix = learn(surface, 60);
+  double total = 0;
+  for (const double area : surface.graph.areas) total += area;
+  const auto segmented = [&](int parts, double share) {
+    return segment(surface.mesh, surface.graph, matrix,
+                   {.parts = parts, .largest_area = share * total});
+  };
+  EXPECT_EQ(segmented(0, 1), segment(surface.mesh, surface.graph, matrix));
+  EXPECT_EQ(segmented(3, 0.01), segment(surface.mesh, surface.graph, matrix, {.parts = 3}));
+  for (const double share : {0.4, 0.2, 0.1}) {
+    SCOPED_TRACE(share);
+    const Labels labels = segmented(0, share);
+    EXPECT_EQ(fault_of_parts(surface.graph, labels), "");
+    std::vector<double> areas(part_count(labels), 0);
+    for (int panel = 0; panel < surface.graph.panel_count(); ++panel) {
+      areas[labels[panel]] += surface.graph.areas[panel];
+    }
+    EXPECT_LE(*std::ranges::max_element(areas), share * total);
+  }
+  EXPECT_LE(part_count(segmented(0, 0.001)), 20);
+}
+
+TEST(Segment, MirrorsThePartsOfASymmetricModel) {
+  const Unfoldable surface = unfoldable(bilateral(600));
+  const FoldabilityMatrix matrix = learn(surface, 100);
+  const std::vector<int> images =
+      mirrored_panels(surface.mesh, surface.graph, {Vec3::UnitX(), 0, 0});
+  const std::vector<int> numbers = {0, 3, 4, 5, 6, 8, 11};
+  double mean = 0;
+  for (const int parts : numbers) {
+    SCOPED_TRACE(parts);
+    const Labels labels = segment(surface.mesh, surface.graph, matrix, {.parts = parts});
+    EXPECT_EQ(fault_of_parts(surface.graph, labels), "");
+    const double mirrored = mirror_symmetry(labels, surface.graph.areas, images);
+    EXPECT_GT(mirrored, 0.85);
+    mean += mirrored / static_cast<double>(numbers.size());
+  }
+  EXPECT_GT(mean, 0.95);
 }
 
 TEST(SplitInTwo, GivesTwoConnectedParts) {

@@ -97,4 +97,21 @@ CutDiscrepancy cut_discrepancy(const Mesh& mesh, std::span<const int> a, std::sp
   return {result.of_cuts / radius, result.of_vertices / radius, true};
 }
 
+double mirror_symmetry(std::span<const int> labels, std::span<const double> areas,
+                       std::span<const int> images) {
+  std::map<int, std::map<int, double>> landing;  // area by part, and part that it comes to lie on
+  double total = 0;
+  for (std::size_t panel = 0; panel < labels.size(); ++panel) {
+    landing[labels[panel]][labels[images[panel]]] += areas[panel];
+    total += areas[panel];
+  }
+  double mirrored = 0;
+  for (const auto& [part, area_on] : landing) {
+    double most = 0;
+    for (const auto& [other, area] : area_on) most = std::max(most, area);
+    mirrored += most;
+  }
+  return mirrored / total;
+}
+
 }  // namespace foldwright::testing

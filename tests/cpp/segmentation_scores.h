@@ -26,4 +26,10 @@ struct CutDiscrepancy {
 /// Distances run along edges. One label per face of the mesh each.
 CutDiscrepancy cut_discrepancy(const Mesh& mesh, std::span<const int> a, std::span<const int> b);
 
+/// How far parts mirror each other: the share of area whose image lies in the image of its part,
+/// that is the part on which most of the part's area comes to lie; in [0, 1]. Per panel its label,
+/// its area, and the panel where its mirror image is.
+double mirror_symmetry(std::span<const int> labels, std::span<const double> areas,
+                       std::span<const int> images);
+
 }  // namespace foldwright::testing

@@ -47,5 +47,15 @@ TEST(CutDiscrepancy, MeasuresTheWayBetweenCuts) {
   EXPECT_NEAR(far.of_vertices, 4 * 3.0 / 14 / radius, 1e-12);
 }
 
+TEST(MirrorSymmetry, IsTheShareOfAreaThatComesToLieOnTheImageOfItsPart) {
+  const std::vector<int> images = {3, 2, 1, 0};  // a row of four panels, mirrored at its middle
+  const std::vector<double> areas = {1, 2, 2, 1};
+  EXPECT_EQ(mirror_symmetry(std::vector{0, 0, 0, 0}, areas, images), 1);
+  EXPECT_EQ(mirror_symmetry(std::vector{0, 0, 1, 1}, areas, images), 1);
+  EXPECT_EQ(mirror_symmetry(std::vector{0, 1, 1, 0}, areas, images), 1);
+  // The second part lies across the middle and keeps most of itself; the first is small.
+  EXPECT_DOUBLE_EQ(mirror_symmetry(std::vector{0, 1, 1, 1}, areas, images), 5.0 / 6);
+}
+
 }  // namespace
 }  // namespace foldwright::testing

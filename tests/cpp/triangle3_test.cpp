@@ -236,6 +236,25 @@ TEST(Eroded, KeepsMostOfASliver) {
   for (int i = 0; i < 3; ++i) EXPECT_LT((same[i] - sliver[i]).norm(), 1e-12);
 }
 
+TEST(ClosestPoint, IsNearerThanAnyOtherPoint) {
+  Random random(9);
+  for (int i = 0; i < 300; ++i) {
+    const Triangle3 t = random_triangle(random);
+    const Vec3 p = 2 * random_point(random) - Vec3(0.5, 0.5, 0.5);
+    const Vec3 closest = closest_point(t, p);
+    EXPECT_LT((closest_point(t, closest) - closest).norm(), 1e-12) << "it is a point of it";
+    const double on_grid = distance_on_grid(t, {p, p, p});
+    EXPECT_LE((closest - p).norm(), on_grid + 1e-12);
+    EXPECT_GT((closest - p).norm(), on_grid - 0.15) << "the grid is that fine";
+  }
+}
+
+TEST(ClosestPoint, IsOnTheSegmentOrPointThatATriangleHasShrunkTo) {
+  const Vec3 a(0, 0, 0), b(2, 0, 0), p(1, 1, 0);
+  EXPECT_EQ(closest_point({a, b, a}, p), Vec3(1, 0, 0));
+  EXPECT_EQ(closest_point({b, b, b}, p), b);
+}
+
 TEST(Moved, PutsATriangleOfThePlaneInSpace) {
   Random random(8);
   for (int i = 0; i < 100; ++i) {
