@@ -11,10 +11,8 @@ namespace {
 constexpr double kLeastModel = 20;  // mm
 
 // Share of a sheet's printable area that the faces of a part may cover. Nets of nine organic models
-// that just fit A4 cover 0.17 to 0.62 of it, a tenth of them more than this; but nets of a model
-// whose size is known are annealed towards the sheet. With 0.4 spot at 300 mm has 20 pieces, and 15
-// with this, none of them cut again.
-constexpr double kSheetShare = 0.5;
+// that just fit A4 cover 0.17 to 0.62 of it: a part that is larger than that will be cut again.
+constexpr double kSheetShare = 0.65;
 
 double per_extent(double wished, double extent, const std::string& direction) {
   if (extent > 0) return wished / extent;
