@@ -32,9 +32,8 @@ export class PartRow {
   ) {
     const swatch = make('span', { className: 'part__swatch' });
     swatch.style.setProperty('--colour', partColour(part));
-    const number = make('span', { textContent: `Part ${part + 1}` });
-    this.button = make('button', { type: 'button', className: 'part' }, swatch, number);
-    this.button.append(this.pieces);
+    const words = make('span', {}, `Part ${part + 1}`, this.pieces);
+    this.button = make('button', { type: 'button', className: 'part' }, swatch, words);
     this.button.addEventListener('click', () => listener.toggle(part));
     this.field = this.nameField();
     this.item = make('li', { className: 'part-row' }, this.button);
@@ -45,11 +44,11 @@ export class PartRow {
     const own = pieces.filter((piece) => piece.part === this.part);
     const faces = own.reduce((sum, { sources }) => sum + sources.length, 0);
     this.name = names.find(({ part }) => part === this.part)?.name ?? '';
-    this.pieces.textContent = pieceWords(own);
-    // The field says as much.
-    this.pieces.hidden = own.length === 1 && own[0]!.name === this.name;
+    this.pieces.textContent = `, ${pieceWords(own)}`;
+    // The field says as much to those who see it.
+    const isShown = own.length === 1 && own[0]!.name === this.name;
+    this.pieces.classList.toggle('visually-hidden', isShown);
     this.button.title = `${faces} faces`;
-    this.button.setAttribute('aria-label', `Part ${this.part + 1}, ${this.pieces.textContent}`);
     if (!nameable) this.field.remove();
     else if (!this.field.isConnected) this.item.append(this.field);
     if (!this.editing) this.takeBack();
