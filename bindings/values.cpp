@@ -227,6 +227,13 @@ val pieces_value(const JobResult& result) {
   return array;
 }
 
+val part_name_value(const PartName& chosen) {
+  val object = val::object();
+  object.set("part", chosen.part);
+  object.set("name", chosen.name);
+  return object;
+}
+
 val saved_net_value(const SavedNet& net) {
   val object = val::object();
   object.set("part", net.part);
@@ -260,6 +267,7 @@ val result_value(const JobResult& result) {
   object.set("segmentation", ints(result.segmentation));
   object.set("labels", ints(result.labels));
   object.set("parts", result.parts);
+  object.set("names", list(result.names, part_name_value));
   object.set("pieces", pieces_value(result));
   object.set("nets", list(result.nets, saved_net_value));
   object.set("sheets", sheets_value(result.sheets));

@@ -36,10 +36,12 @@ list(FILTER test_sources INCLUDE REGEX "_test\\.cpp$")
 add_library(test_helpers STATIC EXCLUDE_FROM_ALL ${helper_sources})
 target_include_directories(test_helpers PUBLIC "${PROJECT_SOURCE_DIR}/tests/cpp")
 target_link_libraries(test_helpers PUBLIC foldwright PRIVATE project_warnings)
+parse_once(test_helpers <Eigen/Core> <Eigen/Geometry>)
 target_compile_definitions(test_helpers PRIVATE FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}")
 
 add_executable(foldwright_tests ${test_sources})
 target_link_libraries(foldwright_tests PRIVATE test_helpers project_warnings ${gtest_libraries})
+parse_once(foldwright_tests <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry>)
 
 if(EMSCRIPTEN)
   include(NodeProgram)

@@ -6,6 +6,6 @@ import { main } from './setup/shell.mjs';
 
 const firstPort = 5173; // where Vite's users look
 
-main(build);
+await main(build);
 const { address } = await serve(join(root, 'dist/studio'), firstPort);
 console.log(`Foldwright is at ${address} (Ctrl+C ends it)`);

@@ -1,9 +1,11 @@
 #include "paper/labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "paper/callouts.h"
 #include "paper/outline.h"
@@ -43,6 +45,65 @@ struct Band {
   std::span<const Vec2> within = {};  ///< a convex polygon, counter-clockwise; empty: anywhere
 };
 
+/// A face, seen from one of its sides.
+struct FaceSide {
+  Vec2 from, along;  ///< `along`: unit vector; the face is on its left
+  double length, height;
+  double foot;  ///< of the opposite corner, along the side
+};
+
+/// The box of a text on a side of a face, where the face is widest at the height of the text; empty
+/// if it does not go into the face.
+std::optional<TextBox> box_on(const FaceSide& side, const std::string& text, double size,
+                              double clearance) {
+  TextBox box = box_around(text, size, side.from, side.along, clearance);
+  const double share = 2 * box.half_height / side.height;
+  if (2 * box.half_width > (1 - share) * side.length) return std::nullopt;
+  const double middle = 0.5 * side.length + share * (side.foot - 0.5 * side.length);
+  box.centre += middle * side.along + (box.half_height + 1e-6) * box.up();
+  return box;
+}
+
+/// A face in which a name may stand.
+struct NameFace {
+  Vec2 centre;  ///< of the circle inside it
+  std::array<FaceSide, 3> sides;
+  double area;
+};
+
+NameFace name_face(const std::array<Vec2, 3>& corners) {
+  NameFace face = {Vec2::Zero(), {}, 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0])};
+  Vec3 lengths;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2& from = corners[(i + 1) % 3];
+    const Vec2 side = corners[(i + 2) % 3] - from;
+    const double length = side.norm();
+    const Vec2 along = side / length;
+    face.sides[i] = {from, along, length, 2 * face.area / length, along.dot(corners[i] - from)};
+    face.centre += length * corners[i];
+    lengths[static_cast<int>(i)] = length;
+  }
+  face.centre /= lengths.sum();
+  return face;
+}
+
+/// The faces of a net, those near its middle first.
+std::vector<NameFace> faces_from_middle(const Net& net) {
+  std::vector<NameFace> faces;
+  Vec2 middle = Vec2::Zero();
+  double total = 0;
+  for (const auto& [a, b, c] : net.corners) {
+    const std::array<Vec2, 3> corners = {net.vertices[a], net.vertices[b], net.vertices[c]};
+    const NameFace& face = faces.emplace_back(name_face(corners));
+    middle += face.area / 3 * (corners[0] + corners[1] + corners[2]);
+    total += face.area;
+  }
+  middle /= total;
+  const auto away = [&](const NameFace& face) { return (face.centre - middle).norm(); };
+  std::ranges::stable_sort(faces, {}, away);
+  return faces;
+}
+
 /// Whether a box lies within a convex polygon, or there is none.
 bool is_within(const TextBox& box, std::span<const Vec2> polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -60,7 +121,8 @@ class Writer {
   Writer(const Net& net, std::span<const Flap> flaps)
       : space_(net, flaps), callouts_(net, kLeastId, kIdClearance) {}
 
-  /// The name in a face, large rather than near the middle of the net.
+  /// The name in a face, large rather than near the middle of the net; turned along a side of the
+  /// face only where it has no room else.
   void write_name(const Net& net, const std::string& name);
 
   /// Writes a text in the band as large as it goes, near its middle and close to the base.
@@ -83,6 +145,12 @@ class Writer {
   std::vector<Label> take() { return std::move(labels_); }
 
  private:
+  bool write_if_free(const std::string& text, double size, const TextBox& box) {
+    if (!space_.is_free(box)) return false;
+    write(text, size, box);
+    return true;
+  }
+
   bool write_in_band(const Band& band, const std::string& text, double size) {
     const TextBox shape = box_around(text, size, band.from, band.along, kIdClearance);
     const double spare = band.length - 2 * shape.half_width;
@@ -123,31 +191,19 @@ class Writer {
 };
 
 void Writer::write_name(const Net& net, const std::string& name) {
-  Vec2 middle = Vec2::Zero();
-  double total = 0;
-  std::vector<Vec2> centres;
-  for (const auto& [a, b, c] : net.corners) {
-    const Vec2 p = net.vertices[a];
-    const Vec2 q = net.vertices[b];
-    const Vec2 r = net.vertices[c];
-    const double area = 0.5 * cross(q - p, r - p);
-    middle += area / 3 * (p + q + r);
-    total += area;
-    const Vec3 sides((r - q).norm(), (p - r).norm(), (q - p).norm());
-    centres.push_back((sides[0] * p + sides[1] * q + sides[2] * r) / sides.sum());
-  }
-  middle /= total;
-  std::vector<std::pair<double, int>> order;
-  for (int i = 0; i < static_cast<int>(centres.size()); ++i) {
-    order.emplace_back((centres[i] - middle).norm(), i);
-  }
-  std::sort(order.begin(), order.end());
+  const std::vector<NameFace> faces = faces_from_middle(net);
   for (const double size : kNameSizes) {
-    for (const auto& [distance, i] : order) {
-      const TextBox box = box_around(name, size, centres[i], Vec2(1, 0), kNameClearance);
-      if (!space_.is_free(box)) continue;
-      write(name, size, box);
-      return;
+    for (const NameFace& face : faces) {
+      const TextBox box = box_around(name, size, face.centre, Vec2(1, 0), kNameClearance);
+      if (write_if_free(name, size, box)) return;
+    }
+  }
+  for (const double size : kNameSizes) {
+    for (const NameFace& face : faces) {
+      for (const FaceSide& side : face.sides) {
+        const auto box = box_on(side, name, size, kNameClearance);
+        if (box && write_if_free(name, size, *box)) return;
+      }
     }
   }
 }

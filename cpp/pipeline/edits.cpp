@@ -143,6 +143,24 @@ EditedNumbers number_parts(int count, std::span<const Edit> edits) {
   return numbers;
 }
 
+std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const Edit> edits,
+                                  const EditedNumbers& numbers) {
+  std::vector<PartName> carried;
+  for (const auto& [part, name] : names) {
+    if (part >= static_cast<int>(numbers.of_part.size())) continue;
+    if (numbers.of_part[part] != -1) carried.push_back({numbers.of_part[part], name});
+  }
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (edits[i].into != 1) continue;
+    const auto is_named = [&](const PartName& chosen) {
+      return std::ranges::count(edits[i].parts, chosen.part) > 0;
+    };
+    if (std::ranges::count_if(names, is_named) != 1) continue;
+    carried.push_back({numbers.of_edit[i][0], std::ranges::find_if(names, is_named)->name});
+  }
+  return carried;
+}
+
 void start_from_earlier(JobState& state) {
   const JobStart start = std::move(*std::exchange(state.start, std::nullopt));
   const DualGraph& graph = state.surface->graph;
@@ -153,6 +171,7 @@ void start_from_earlier(JobState& state) {
   for (std::size_t i = 0; i < start.edits.size(); ++i) {
     state.components[i].part_numbers = numbers.of_edit[i];
   }
+  state.options.names = carry_names(state.options.names, start.edits, numbers);
   std::vector<std::vector<SavedNet>> nets(parts.size());
   for (const SavedNet& net : start.nets) {
     if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();

@@ -19,6 +19,13 @@ struct EditedNumbers {
 /// \pre no part is named twice
 EditedNumbers number_parts(int count, std::span<const Edit> edits);
 
+/// Names of the parts after `edits`, from those before; `numbers`: what `number_parts` gives.
+///
+/// A part that no edit names keeps its name, and so does what becomes one part again, if just one
+/// of the parts that it is made of has a name. All other names go with their parts.
+std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const Edit> edits,
+                                  const EditedNumbers& numbers);
+
 /// Begins the job with its `start` instead of the bodies of the model: each edit becomes a
 /// component with the number of parts that it asks for, and every other part one with its nets.
 /// \throw InputError "bad-edit" for an edit that cannot be made, "bad-start" for a result of

@@ -50,10 +50,10 @@ void check_names(std::span<const PartName> names) {
   for (const auto& [part, name] : names) {
     const std::string fault = fault_of_name(name);
     if (!fault.empty()) throw InputError("bad-option", "the name of a part " + fault);
-    if (part < 0 || !parts.insert(part).second || !taken.insert(name).second) {
-      throw InputError("bad-option",
-                       "the names of parts must name each part once, by names that "
-                       "differ");
+    check(part >= 0 && parts.insert(part).second, "the names of parts",
+          "at most one for each part");
+    if (!taken.insert(name).second) {
+      throw InputError("bad-option", "two parts cannot have the same name, \"" + name + "\"");
     }
   }
 }

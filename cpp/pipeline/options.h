@@ -70,7 +70,7 @@ struct JobOptions {
   FlapOptions flaps = {};
   IdPlace ids = IdPlace::kBoth;
   GlueStrips strips = GlueStrips::kNone;
-  std::vector<PartName> names = {};
+  std::vector<PartName> names = {};  ///< in a job with a start: of the parts of the earlier result
   std::vector<PinnedPiece> pins = {};
   bool compaction = true;  ///< make nets better to craft after they were found
 };

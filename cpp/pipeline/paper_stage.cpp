@@ -178,6 +178,7 @@ class PaperStage : public Stage {
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;
+    result.names = state.options.names;
     result.moves = state.moves;
     result.generations = state.generations;
     result.notices = std::move(state.notices);

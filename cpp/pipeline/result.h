@@ -9,6 +9,7 @@
 #include "paper/labels.h"
 #include "paper/sheets.h"
 #include "paper/strips.h"
+#include "pipeline/piece_names.h"
 #include "unfold/net.h"
 
 namespace foldwright {
@@ -63,7 +64,8 @@ struct JobResult {
   std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
   std::vector<int> labels;        ///< per face of the mesh: its part
   int parts = 0;
-  std::vector<Piece> pieces;  ///< in the order of gluing
+  std::vector<PartName> names;  ///< those that were chosen, by the numbers of these parts
+  std::vector<Piece> pieces;    ///< in the order of gluing
   std::vector<SavedNet> nets;
   SheetLayout sheets;
   FlapCounts flap_counts;

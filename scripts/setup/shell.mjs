@@ -1,5 +1,5 @@
 // Running other programs. Only node's own modules: set-up runs before anything is installed.
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 
 /** A failure a person can mend: its message is printed without a stack. */
 export class SetupError extends Error {}
@@ -8,9 +8,37 @@ export class SetupError extends Error {}
 export function run(program, args, options = {}) {
   const result = spawnSync(program, args, { stdio: ['ignore', 'inherit', 'inherit'], ...options });
   if (result.error) throw new SetupError(`${program}: ${result.error.message}`);
-  if (result.status !== 0) {
-    const ending = result.signal ? `signal ${result.signal}` : `status ${result.status}`;
-    throw new SetupError(`${program} ${args[0] ?? ''} ended with ${ending}`);
+  expectSuccess(program, args, result.status, result.signal);
+}
+
+function expectSuccess(program, args, status, signal) {
+  if (status === 0) return;
+  const ending = signal ? `signal ${signal}` : `status ${status}`;
+  throw new SetupError(`${program} ${args[0] ?? ''} ended with ${ending}`);
+}
+
+/**
+ * Runs a program once for each of `options`, all at the same time, and shows what each printed when it has ended.
+ * Throws when one has failed, once all have ended.
+ */
+export async function runTogether(program, args, options) {
+  const endings = options.map(
+    (own) =>
+      new Promise((resolve, reject) => {
+        const child = spawn(program, args, { stdio: ['ignore', 'pipe', 'pipe'], ...own });
+        const printed = [];
+        for (const stream of [child.stdout, child.stderr]) {
+          stream.on('data', (chunk) => printed.push(chunk));
+        }
+        child.on('error', ({ message }) => reject(new SetupError(`${program}: ${message}`)));
+        child.on('close', (status, signal) => {
+          process.stdout.write(Buffer.concat(printed));
+          resolve([status, signal]);
+        });
+      }),
+  );
+  for (const [status, signal] of await Promise.all(endings)) {
+    expectSuccess(program, args, status, signal);
   }
 }
 
@@ -26,9 +54,9 @@ export function capture(program, args, options = {}) {
 }
 
 /** Runs a script's body; an expected failure becomes one line and status 1. */
-export function main(body) {
+export async function main(body) {
   try {
-    body();
+    await body();
   } catch (error) {
     if (!(error instanceof SetupError)) throw error;
     console.error(error.message);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
+#include <string>
 
 #include "geometry/random.h"
 
@@ -42,6 +44,34 @@ TEST(Edits, NumbersSetFreeAreTakenBeforeNewOnes) {
   EXPECT_EQ(numbers.of_edit[1], (Numbers{0}));
   EXPECT_EQ(numbers.of_part, (Numbers{-1, -1, -1, 3}));
   EXPECT_EQ(numbers.count, 5);
+}
+
+std::map<int, std::string> carried(const std::vector<PartName>& names,
+                                   const std::vector<Edit>& edits, int count) {
+  std::map<int, std::string> by_part;
+  for (const auto& [part, name] : carry_names(names, edits, number_parts(count, edits))) {
+    EXPECT_TRUE(by_part.emplace(part, name).second) << "part " << part << " has two names";
+  }
+  return by_part;
+}
+
+TEST(Edits, LeaveNamesWithPartsThatStay) {
+  const std::vector<PartName> names = {{0, "Head"}, {2, "Leg"}, {4, "Tail"}};
+  using ByPart = std::map<int, std::string>;
+  EXPECT_EQ(carried(names, {}, 5), (ByPart{{0, "Head"}, {2, "Leg"}, {4, "Tail"}}));
+  // Part 4 fills the gap that part 3 leaves.
+  EXPECT_EQ(carried(names, {{{1, 3}, 1}}, 5), (ByPart{{0, "Head"}, {2, "Leg"}, {3, "Tail"}}));
+  EXPECT_EQ(carried(names, {{{2}, 2}}, 5), (ByPart{{0, "Head"}, {4, "Tail"}}));
+  EXPECT_EQ(carried({{7, "Wing"}}, {}, 5), ByPart{});
+}
+
+TEST(Edits, HandTheOnlyNameOfMergedPartsOn) {
+  const std::vector<PartName> names = {{0, "Head"}, {3, "Leg"}};
+  using ByPart = std::map<int, std::string>;
+  EXPECT_EQ(carried(names, {{{3, 1}, 1}}, 4), (ByPart{{0, "Head"}, {1, "Leg"}}));
+  EXPECT_EQ(carried(names, {{{0, 3}, 1}}, 4), ByPart{});
+  EXPECT_EQ(carried(names, {{{3}, 1}}, 4), (ByPart{{0, "Head"}, {3, "Leg"}}));
+  EXPECT_EQ(carried(names, {{{1, 3}, 2}}, 4), (ByPart{{0, "Head"}}));
 }
 
 TEST(Edits, NumberPartsWithoutGapsAndMoveAsFewAsTheyMust) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "job_runs.h"
 #include "meshes.h"
@@ -90,6 +91,49 @@ TEST(JobEdits, ChangeNothingWithoutEdits) {
       EXPECT_TRUE(later.all<LearnedEvent>().empty());
       EXPECT_EQ(later.all<NetEvent>().size(), later.result->nets.size());
     }
+  }
+}
+
+TEST(JobEdits, NameAPartAndChangeNothingElse) {
+  const Mesh mesh = torus(12, 9);
+  const Outcome earlier = run(mesh, kFive);
+  expect_sound(earlier);
+  JobOptions options = kFive;
+  options.names = {{2, "Left wing"}};
+  const Outcome later = run_from(mesh, start_of(*earlier.result, {}), options);
+  expect_sound(later);
+  EXPECT_EQ(later.result->moves, 0);
+  EXPECT_EQ(later.result->names.size(), 1u);
+  EXPECT_EQ(kept_nets(*earlier.result, *later.result), 5);
+  ASSERT_EQ(later.result->pieces.size(), earlier.result->pieces.size());
+  for (std::size_t i = 0; i < later.result->pieces.size(); ++i) {
+    const Piece& now = later.result->pieces[i];
+    const Piece& before = earlier.result->pieces[i];
+    EXPECT_EQ(now.name, now.part == 2 ? "Left wing" : before.name);
+    EXPECT_EQ(now.net.vertices, before.net.vertices);
+    const Placement& place = later.result->sheets.placements[i];
+    const Placement& old = earlier.result->sheets.placements[i];
+    EXPECT_EQ(std::tie(place.sheet, place.x, place.y), std::tie(old.sheet, old.x, old.y));
+  }
+}
+
+TEST(JobEdits, LeaveNamesWithTheirParts) {
+  const Mesh mesh = torus(12, 9);
+  const Outcome earlier = run(mesh, kFive);
+  const auto [a, b] = neighbours(*earlier.result);
+  JobOptions options = kFive;
+  for (int part = 0; part < 5; ++part) {
+    if (part != b) options.names.push_back({part, "Part no. " + std::to_string(part)});
+  }
+  const Outcome later = run_from(mesh, start_of(*earlier.result, {{{a, b}, 1}}), options);
+  expect_sound(later);
+  ASSERT_EQ(later.result->names.size(), 4u);
+  for (const auto& [part, name] : later.result->names) {
+    const auto is_it = [&](const PartName& chosen) { return chosen.name == name; };
+    const int before = std::ranges::find_if(options.names, is_it)->part;
+    std::set<int> made_of = {before};
+    if (before == a) made_of.insert(b);
+    EXPECT_EQ(faces_of(*later.result, {part}), faces_of(*earlier.result, made_of)) << name;
   }
 }
 

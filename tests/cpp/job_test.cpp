@@ -58,7 +58,8 @@ TEST(Job, MakesNetsOfSmallMeshes) {
     const int panels = build_dual_graph(mesh).panel_count();
     for (const int parts : {0, 1, 2, 5}) {
       SCOPED_TRACE(parts);
-      const Outcome outcome = run(mesh, {.parts = parts, .runs = 60});
+      // Compaction takes its time whatever the mesh: once for each is enough.
+      const Outcome outcome = run(mesh, {.parts = parts, .runs = 60, .compaction = parts == 2});
       expect_sound(outcome);
       EXPECT_TRUE(parts == 0 || outcome.result->parts == std::min(parts, panels));
       EXPECT_EQ(static_cast<int>(outcome.result->pieces.size()), outcome.result->parts);
@@ -71,7 +72,7 @@ TEST(Job, MakesNetsWithEverySegmenterAndSolver) {
     for (const Segmenter segmenter : {Segmenter::kShape, Segmenter::kFoldability}) {
       for (const Solver solver : {Solver::kTree, Solver::kGenetic}) {
         const JobOptions options = {
-            .parts = 4, .segmenter = segmenter, .solver = solver, .runs = 40};
+            .parts = 4, .segmenter = segmenter, .solver = solver, .runs = 40, .compaction = false};
         const Outcome outcome = run(mesh, options);
         expect_sound(outcome);
         EXPECT_EQ(outcome.result->parts, 4);
@@ -105,8 +106,8 @@ TEST(Job, MakesNetsOfSharedModels) {
   for (const auto& [name, parts] : cases) {
     SCOPED_TRACE(name);
     const auto path = shared_folder() / "models" / name;
-    const Outcome outcome =
-        run_file(bytes_of(path), path.filename().string(), {.parts = parts, .runs = 100});
+    const Outcome outcome = run_file(bytes_of(path), path.filename().string(),
+                                     {.parts = parts, .runs = 100, .compaction = false});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
   }
@@ -119,7 +120,7 @@ TEST(Job, MakesNetsOfSharedLowPolyModels) {
     // Every eighth, to keep it short: many are alike.
     if (path.extension() != ".obj" || count++ % 8 != 0) continue;
     SCOPED_TRACE(path.string());
-    expect_sound(run_file(bytes_of(path), name, {.runs = 20}));
+    expect_sound(run_file(bytes_of(path), name, {.runs = 20, .compaction = false}));
   }
   if (count == 0) GTEST_SKIP() << kNoSharedModels;
 }
@@ -170,9 +171,9 @@ TEST(Job, TellsWhatItFinds) {
 TEST(Job, GivesTheSameWhoeverRunsTheTasksInWhateverSlices) {
   const std::pair<Mesh, JobOptions> cases[] = {
       {torus(10, 7), {.parts = 4, .runs = 120}},
-      {bumpy_sphere(300), {.parts = 1}},
-      {saddle(8, 7), {.parts = 1, .runs = 20}},
-      {star(), {.parts = 2, .solver = Solver::kGenetic, .runs = 20}}};
+      {bumpy_sphere(300), {.parts = 1, .compaction = false}},
+      {saddle(8, 7), {.parts = 1, .runs = 20, .compaction = false}},
+      {star(), {.parts = 2, .solver = Solver::kGenetic, .runs = 20, .compaction = false}}};
   for (const auto& [mesh, options] : cases) {
     SCOPED_TRACE(mesh.face_count());
     const std::string hash = run(mesh, options).result->hash;
@@ -189,7 +190,8 @@ TEST(Job, GivesTheSameWhoeverRunsTheTasksInWhateverSlices) {
 
 TEST(Job, DependsOnTheSeed) {
   const auto hash = [](std::uint32_t seed) {
-    return run(torus(10, 7), {.parts = 4, .runs = 20, .seed = seed}).result->hash;
+    return run(torus(10, 7), {.parts = 4, .runs = 20, .seed = seed, .compaction = false})
+        .result->hash;
   };
   EXPECT_NE(hash(1), hash(2));
 }
@@ -221,11 +223,11 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
 
 TEST(Job, GivesEveryBodyItsOwnParts) {
   const Mesh two = beside(cube(), star());
-  const Outcome one = run(two, {.parts = 1, .runs = 20});
+  const Outcome one = run(two, {.parts = 1, .runs = 20, .compaction = false});
   expect_sound(one);
   EXPECT_EQ(one.result->parts, 2);
   EXPECT_EQ(one.notices(), std::multiset<std::string>{"parts-raised"});
-  const Outcome five = run(two, {.parts = 5, .runs = 20});
+  const Outcome five = run(two, {.parts = 5, .runs = 20, .compaction = false});
   expect_sound(five);
   EXPECT_EQ(five.result->parts, 5);
   EXPECT_TRUE(five.notices().empty());
@@ -233,7 +235,7 @@ TEST(Job, GivesEveryBodyItsOwnParts) {
     const auto of_cube = std::ranges::count_if(piece.net.faces, [](int f) { return f < 12; });
     EXPECT_TRUE(of_cube == 0 || of_cube == std::ssize(piece.net.faces));
   }
-  expect_sound(run(two, {.runs = 20}));
+  expect_sound(run(two, {.runs = 20, .compaction = false}));
 }
 
 TEST(Job, MakesNoMorePartsThanPanels) {
@@ -256,7 +258,7 @@ TEST(Job, SplitsABodyThatHasNoNet) {
 
 TEST(Job, SimplifiesAndStillLabelsEverySourceFace) {
   const Mesh mesh = bumpy_sphere(800);
-  const Outcome outcome = run(mesh, {.parts = 4, .runs = 30, .faces = 200});
+  const Outcome outcome = run(mesh, {.parts = 4, .runs = 30, .faces = 200, .compaction = false});
   expect_sound(outcome);
   EXPECT_LE(outcome.result->mesh.face_count(), 200);
   ASSERT_EQ(outcome.result->segmentation.size(), mesh.faces.size());
@@ -278,7 +280,8 @@ TEST(Job, LearnsOnAProxyAndKeepsAllFaces) {
   const Mesh mesh = bumpy_sphere(800);
   for (const int proxy : {0, 100, 799, 800}) {
     SCOPED_TRACE(proxy);
-    const Outcome outcome = run(mesh, {.parts = 6, .runs = 20, .proxy = proxy});
+    const Outcome outcome =
+        run(mesh, {.parts = 6, .runs = 20, .proxy = proxy, .compaction = false});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, 6);
     EXPECT_EQ(outcome.result->mesh.face_count(), mesh.face_count());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <span>
 
@@ -210,6 +211,25 @@ TEST(PlaceLabels, NameTheOtherPiece) {
       EXPECT_TRUE(std::ranges::any_of(plan.labels[other],
                                       [&](const Label& label) { return label.text == back; }));
     }
+  }
+}
+
+TEST(PlaceLabels, TurnANameWithoutRoomElse) {
+  const std::vector<std::string> names = {"Left wing"};
+  for (const double angle : {0.5, 1.3, 2.1, 4.0}) {
+    SCOPED_TRACE(angle);
+    // A face 12 mm high over a side of 42 mm.
+    const Mesh mesh = tetrahedron();
+    std::vector<Net> nets = {
+        make_net(mesh, restrict_to(build_dual_graph(mesh), std::array{0}), {})};
+    nets[0].vertices = {Vec2(0, 0), Vec2(42, 0), Vec2(20, 12)};
+    for (Vec2& p : nets[0].vertices) p = Eigen::Rotation2Dd(angle) * p;
+    const std::vector<std::vector<Flap>> none(1);
+    const LabelPlan plan = place_labels({nets, none, names, IdPlace::kNone, {}});
+    ASSERT_EQ(plan.labels[0].size(), 1u);
+    EXPECT_EQ(plan.labels[0][0].text, names[0]);
+    EXPECT_NEAR(std::remainder(plan.labels[0][0].angle - angle, std::numbers::pi), 0, 1e-9);
+    expect_clear(nets[0], {}, plan.labels[0]);
   }
 }
 

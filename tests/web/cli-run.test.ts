@@ -103,7 +103,8 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
   it('splits and merges parts of what comes out', () =>
     withModel(objText(wavyRing(12)), async (folder, model) => {
       const [fold, path] = [join(folder, 'out.fold'), join(folder, 'report.json')];
-      const args = [model, '--parts', '2', '-o', fold, '--report', path, '--quiet'];
+      const outputs = ['-o', fold, '--report', path, '--quiet'];
+      const args = [model, '--parts', '2', '--compact', 'off', ...outputs];
       expect((await foldwright([...args, '--split', '2:3'])).status).toBe(0);
       const report = readReport(path);
       expect(schemaErrors(report)).toEqual([]);
@@ -131,12 +132,12 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
     ['--segment', 'spectral'],
     ['--proxy', '100'],
     ['--faces', '150'],
-    ['--paper', '100x80'],
+    ['--paper', '100x80', '--compact', 'on'],
     ['--orientation', 'landscape'],
     ['--margin', '0'],
-  ])('makes nets that fold with %s %s', (...option) =>
+  ])('makes nets that fold with %s %s', (...option: string[]) =>
     withModel(objText(wavyRing(12)), async (_, model) => {
-      const args = ['--parts', '3', '--runs', '50', ...option];
+      const args = ['--parts', '3', '--runs', '50', '--compact', 'off', ...option];
       const { ended, violations } = await checkedRun(model, args, 60_000);
       expect(ended).toEqual({ status: 0, stdout: '', stderr: '' });
       expect(violations).toEqual([]);

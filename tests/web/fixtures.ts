@@ -201,6 +201,7 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     segmentation: labels.slice(),
     labels,
     parts: pieces.length,
+    names: [],
     pieces: pieces.map((piece, i) => ({
       ...piece,
       id: i,

@@ -51,7 +51,9 @@ export async function withThreads<Result>(
   };
   const pool = new Pool(deadly, size);
   try {
-    return await work(pool);
+    const result = await work(pool);
+    if (left > 0) throw new Error(`${left} workers that were to die have lived`);
+    return result;
   } finally {
     pool.close();
   }

@@ -42,6 +42,15 @@ export class FoldingPanel {
     this.show(1);
   }
 
+  /** Takes the same pieces with other names. */
+  rename(pieces: readonly Piece[]): void {
+    if (this.bar.hidden) return;
+    this.pieces = pieces;
+    this.letters = null;
+    this.note.textContent = doubts(pieces);
+    this.go(this.time);
+  }
+
   /** Takes the offer back. */
   clear(): void {
     this.pause();

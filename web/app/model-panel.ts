@@ -1,4 +1,4 @@
-import type { JobResult } from '../model/job.js';
+import type { JobResult, Piece } from '../model/job.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
 import { find } from './dom.js';
@@ -54,6 +54,11 @@ export class ModelPanel {
     if (covered !== this.faceCount) return;
     this.view.tell({ type: 'folding', model, pieces });
     this.folding.offer(pieces);
+  }
+
+  /** Takes the pieces of the finished model with other names; it stays as it is. */
+  rename(pieces: readonly Piece[]): void {
+    this.folding.rename(pieces);
   }
 
   /** Colours the faces by their parts. */

@@ -1,7 +1,8 @@
 import { merging, splitting } from '../model/edits.js';
 import type { Edit, JobResult } from '../model/job.js';
-import { partColour } from '../model/part-colours.js';
-import { find, make } from './dom.js';
+import { find } from './dom.js';
+import { PartRow } from './part-row.js';
+import { finishedParts } from './result-words.js';
 
 /** What a person asks for, and its name. */
 export interface Change {
@@ -14,26 +15,19 @@ export interface PartsListener {
   /** These parts are chosen now, from 0; all others are not. */
   select(parts: number[]): void;
   change(change: Change): void;
+  /** A part shall have this name; its letter if it is empty. */
+  rename(part: number, name: string): unknown;
   undo(): void;
 }
 
-/** Letters of a part's pieces and how many faces they have. */
-function describe({ pieces }: JobResult, part: number): { letters: string; faces: number } {
-  const own = pieces.filter((piece) => piece.part === part);
-  return {
-    letters: own.map(({ name }) => name).join(' '),
-    faces: own.reduce((sum, { sources }) => sum + sources.length, 0),
-  };
-}
-
 /** "part 3", "parts 1 and 2" */
-function names(parts: number[]): string {
+export function partNumbers(parts: number[]): string {
   const numbers = parts.map((part) => part + 1);
   if (numbers.length === 1) return `part ${numbers[0]}`;
   return `parts ${numbers.slice(0, -1).join(', ')} and ${numbers.at(-1)}`;
 }
 
-/** The parts of a result: choose some, split or merge them, and take that back. */
+/** The parts of a result: choose some, split, merge or name them, and take that back. */
 export class PartsPanel {
   /** Where the progress of a change is shown. */
   readonly progress = find('#parts-progress', HTMLElement);
@@ -44,7 +38,8 @@ export class PartsPanel {
   private readonly mergeButton = find('#merge', HTMLButtonElement);
   private readonly undoButton = find('#undo', HTMLButtonElement);
   private readonly selected = new Set<number>();
-  private count = 0;
+  private readonly fault = find('#name-fault', HTMLElement);
+  private rows: PartRow[] = [];
   private busy = false;
 
   constructor(private readonly listener: PartsListener) {
@@ -61,9 +56,11 @@ export class PartsPanel {
    * @param selected parts that are chosen at first
    */
   offer(result: JobResult, undo: string | null, selected: number[] = []): void {
-    this.count = result.parts;
-    const parts = Array.from({ length: result.parts }, (_, part) => part);
-    this.list.replaceChildren(...parts.map((part) => this.chip(result, part)));
+    this.resize(result.parts);
+    // Without all nets a job would go on to search, which a name must not.
+    const nameable = finishedParts(result) === result.parts;
+    for (const row of this.rows) row.show(result, nameable);
+    this.fault.hidden = true;
     this.undoButton.textContent = undo === null ? 'Undo' : `Undo: ${undo}`;
     this.undoButton.hidden = undo === null;
     this.select(selected);
@@ -71,7 +68,7 @@ export class PartsPanel {
 
   /** Chooses a part, or no longer. */
   toggle(part: number): void {
-    if (this.busy || part >= this.count) return;
+    if (this.busy || part >= this.rows.length) return;
     const others = [...this.selected].filter((other) => other !== part);
     this.select(this.selected.has(part) ? others : [...others, part]);
   }
@@ -88,16 +85,34 @@ export class PartsPanel {
     this.splitButton.focus({ preventScroll: true });
   }
 
-  private chip(result: JobResult, part: number): HTMLLIElement {
-    const { letters, faces } = describe(result, part);
-    const swatch = make('span', { className: 'part__swatch' });
-    swatch.style.setProperty('--colour', partColour(part));
-    const name = make('span', { textContent: `Part ${part + 1}, ` });
-    const pieces = make('small', { textContent: `piece ${letters}` });
-    const button = make('button', { type: 'button', className: 'part' }, swatch, name, pieces);
-    button.title = `${faces} faces`;
-    button.addEventListener('click', () => this.toggle(part));
-    return make('li', {}, button);
+  /** Says why a name was not applied. */
+  refuse(reason: string): void {
+    for (const row of this.rows) row.refuse();
+    this.fault.textContent = reason;
+    this.fault.hidden = false;
+  }
+
+  /** The parts that are chosen, from 0. */
+  get chosen(): number[] {
+    return [...this.selected].sort((a, b) => a - b);
+  }
+
+  /** Rows of parts that stay are kept: the keyboard may be in one of them. */
+  private resize(parts: number): void {
+    for (const { item } of this.rows.splice(parts)) item.remove();
+    while (this.rows.length < parts) {
+      const row = new PartRow(this.rows.length, {
+        toggle: (part) => this.toggle(part),
+        rename: (part, name) => this.rename(part, name),
+      });
+      this.rows.push(row);
+      this.list.append(row.item);
+    }
+  }
+
+  private rename(part: number, name: string): void {
+    this.fault.hidden = true;
+    this.listener.rename(part, name);
   }
 
   /** A button that is not to be used keeps the keyboard's place all the same. */
@@ -110,15 +125,9 @@ export class PartsPanel {
   private select(parts: number[]): void {
     this.selected.clear();
     for (const part of parts) this.selected.add(part);
-    [...this.list.querySelectorAll('button')].forEach((button, part) => {
-      button.setAttribute('aria-pressed', String(this.selected.has(part)));
-    });
+    this.rows.forEach((row, part) => (row.pressed = this.selected.has(part)));
     this.show();
     this.listener.select(this.chosen);
-  }
-
-  private get chosen(): number[] {
-    return [...this.selected].sort((a, b) => a - b);
   }
 
   private show(): void {
@@ -130,17 +139,18 @@ export class PartsPanel {
     disable(this.splitButton, size < 1 || !this.into.checkValidity());
     disable(this.mergeButton, size < 2);
     disable(this.undoButton, false);
+    for (const row of this.rows) row.locked = this.busy;
   }
 
   private split(): void {
     const parts = this.chosen;
     const into = this.into.valueAsNumber;
     const edits = parts.map((part) => splitting(part, into));
-    this.listener.change({ edits, words: `split of ${names(parts)}` });
+    this.listener.change({ edits, words: `split of ${partNumbers(parts)}` });
   }
 
   private merge(): void {
     const parts = this.chosen;
-    this.listener.change({ edits: [merging(parts)], words: `merging of ${names(parts)}` });
+    this.listener.change({ edits: [merging(parts)], words: `merging of ${partNumbers(parts)}` });
   }
 }

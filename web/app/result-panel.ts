@@ -84,8 +84,10 @@ export class ResultPanel {
   /**
    * Replaces the result on the page, but for all sheets after the first; returns its one-sentence
    * summary, or null if a later result was quicker to draw.
+   *
+   * @param renamed it has the pieces of the one before with other names: all sheets are replaced
    */
-  async show(run: FinishedRun): Promise<string | null> {
+  async show(run: FinishedRun, renamed = false): Promise<string | null> {
     const { model, wishes, result } = run;
     const turn = ++this.turns;
     const name = stem(model.name);
@@ -97,7 +99,7 @@ export class ResultPanel {
       writer.close();
       return null;
     }
-    this.sheets.show(sheets, result);
+    this.sheets.show(sheets, result, renamed);
     const lead = leadSentence(result, wishes.paper);
     this.title.textContent = name;
     this.lead.textContent = lead;

@@ -1,6 +1,7 @@
 import type { TimedResult } from '../core/client.js';
 import type { FlapCounts, JobResult, Model, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
+import { listed } from './folding-words.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -24,7 +25,7 @@ function finishedSize({ vertices }: Model): string {
 }
 
 /** How many parts have all their faces in pieces: all of them, unless the run was cancelled. */
-function finishedParts({ labels, pieces, parts }: JobResult): number {
+export function finishedParts({ labels, pieces, parts }: JobResult): number {
   const missing = new Array<number>(parts).fill(0);
   for (const part of labels) missing[part]! += 1;
   for (const { part, sources } of pieces) missing[part]! -= sources.length;
@@ -141,12 +142,22 @@ function idRemarks({ ids: { skipped } }: JobResult): string[] {
   ];
 }
 
+/** The pieces that do not say which they are. */
+function nameRemarks({ pieces }: JobResult): string[] {
+  const nameless = pieces.filter(({ name, labels }) => labels.every(({ text }) => text !== name));
+  if (nameless.length === 0) return [];
+  const names = nameless.map(({ name }) => name);
+  const [piece, it] = names.length === 1 ? ['piece', 'its name'] : ['pieces', 'their names'];
+  return [`No room for ${it} on ${piece} ${listed(names)}; short names need less.`];
+}
+
 /** What a person should know about the nets. */
 export function netRemarks(result: JobResult): string[] {
   const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
   return [
     ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
     ...noticeRemarks(result.notices),
+    ...nameRemarks(result),
     ...flapRemarks(result),
     ...idRemarks(result),
   ];

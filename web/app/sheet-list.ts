@@ -56,13 +56,18 @@ export class SheetList {
     return items;
   }
 
-  /** Puts the first of the sheets that were drawn in the place of those before. */
-  show(sheets: HTMLLIElement[], { pieces }: JobResult): void {
+  /**
+   * Puts the first of the sheets that were drawn in the place of those before.
+   *
+   * @param whole puts all of them there, so that the page does not move
+   */
+  show(sheets: HTMLLIElement[], { pieces }: JobResult, whole = false): void {
     this.sheets = sheets;
     this.pieces = pieces;
     this.marks = new Map();
-    this.list.replaceChildren(...sheets.slice(0, 1));
-    this.coming = sheets.slice(1);
+    const first = whole ? sheets.length : 1;
+    this.list.replaceChildren(...sheets.slice(0, first));
+    this.coming = sheets.slice(first);
     this.resize();
   }
 

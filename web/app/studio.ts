@@ -1,7 +1,7 @@
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
-import { startFrom } from '../model/edits.js';
-import type { JobResult } from '../model/job.js';
+import { differentlyNamed, renamed, startFrom } from '../model/edits.js';
+import type { JobResult, PartName } from '../model/job.js';
 import { missingSupport } from './browser-support.js';
 import { find } from './dom.js';
 import { DownloadBar } from './download-bar.js';
@@ -11,7 +11,7 @@ import { JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Wishes } from './options-form.js';
-import { PartsPanel, type Change } from './parts-panel.js';
+import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
 import { PrintPanel } from './print-panel.js';
 import { ProgressPanel } from './progress-panel.js';
 import { type FinishedRun, ResultPanel } from './result-panel.js';
@@ -24,6 +24,9 @@ import { Workshop } from './workshop.js';
 
 /** Ms after the page is complete: its pictures shall be there first. */
 const preparation = 300;
+
+/** Ms before the progress of naming is shown: most of the time it is done by then. */
+const namingPatience = 500;
 
 /** Parts of the later result that have faces of what a change of the earlier one named. */
 function touched(before: JobResult, after: JobResult, { edits }: Change): number[] {
@@ -45,6 +48,10 @@ export class Studio {
   private readonly chosen = find('#chosen', HTMLElement);
   private readonly welcome = find('#welcome', HTMLElement);
   private model: ModelFile | null = null;
+  /** Names that are being given to the parts of the result; null if none are. */
+  private naming: PartName[] | null = null;
+  /** The end of the last naming. */
+  private named = Promise.resolve();
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
   private choices = 0;
 
@@ -62,6 +69,7 @@ export class Studio {
         sheets.select(parts);
       },
       change: (change) => void this.change(change),
+      rename: (part, name) => (this.named = this.rename(part, name)),
       undo: () => void this.undo(),
     });
     const steps = new StepsPanel({
@@ -105,6 +113,7 @@ export class Studio {
     const { model } = this;
     const wishes = this.form.read();
     if (!model || !wishes) return;
+    this.naming = null;
     this.message.clear();
     this.welcome.hidden = true;
     this.progress.begin(model.name);
@@ -149,22 +158,26 @@ export class Studio {
 
   /** Changes parts of the result; what comes out takes its place. */
   private async change(change: Change): Promise<void> {
+    if (this.runner.running && !this.naming) return;
+    this.parts.changing = true;
+    await this.named;
     const before = this.history.current;
     if (!before || this.runner.running) return;
     const { model, wishes, result } = before;
+    const job = { ...wishes.job, names: result.names };
     this.message.clear();
-    this.parts.changing = true;
     this.progress.begin(model.name, this.parts.progress);
     const follow = (event: TimedEvent): void => this.progress.follow(event);
     const start = startFrom(result, change.edits);
-    const outcome = await this.runner.run(model, wishes.job, follow, start);
+    const outcome = await this.runner.run(model, job, follow, start);
     if (this.runner.running) return;
     this.parts.changing = false;
     if (this.progress.hasFocus) this.parts.focus();
     if (outcome.type === 'done') {
       const run = { model, wishes, result: outcome.result };
       this.history.add(run, change.words);
-      const lead = await this.present(run, touched(result, outcome.result, change));
+      const selected = touched(result, outcome.result, change);
+      const lead = await this.present(run, { selected });
       if (lead !== null) this.progress.end(`Done: ${lead}`);
       else if (!this.runner.running) this.history.back();
       return;
@@ -175,8 +188,50 @@ export class Studio {
     }
   }
 
+  /**
+   * Names a part. Only texts on paper change: nets, motions and places are those of the result. A
+   * later name does not wait for the ones before, but takes them along.
+   */
+  private async rename(part: number, name: string): Promise<void> {
+    const before = this.history.current;
+    if (!before || (this.runner.running && !this.naming)) return;
+    const { model, wishes, result } = before;
+    const names = renamed(this.naming ?? result.names, part, name);
+    const parts = differentlyNamed(result.names, names);
+    if (parts.length === 0) return this.runner.cancel();
+    this.naming = names;
+    this.message.clear();
+    const begin = (): void => this.progress.begin(model.name, this.parts.progress);
+    const late = setTimeout(begin, namingPatience);
+    const follow = (event: TimedEvent): void => this.progress.follow(event);
+    const job = { ...wishes.job, names };
+    const outcome = await this.runner.run(model, job, follow, startFrom(result, []));
+    clearTimeout(late);
+    if (this.runner.running) return;
+    this.naming = null;
+    if (outcome.type !== 'done') return this.keepNames(outcome, before);
+    // What was computed for the nets was computed before.
+    const { seconds, search } = result;
+    const run = { model, wishes, result: { ...outcome.result, seconds, search } };
+    this.history.add(run, `${parts.length === 1 ? 'name' : 'names'} of ${partNumbers(parts)}`);
+    const selected = this.parts.chosen;
+    const lead = await this.present(run, { selected, renamed: true });
+    if (lead !== null) this.progress.end(name === '' ? 'The name is gone.' : `Named ${name}.`);
+    else if (!this.runner.running) this.history.back();
+  }
+
+  /** Ends a naming that came to nothing. */
+  private keepNames(outcome: Outcome, { result }: FinishedRun): void {
+    this.progress.end('');
+    if (outcome.type === 'failed') this.parts.refuse(sentence(outcome.text));
+    else this.parts.offer(result, this.history.undo, this.parts.chosen);
+  }
+
   /** Takes the last change back. */
   private async undo(): Promise<void> {
+    // A name that nobody has seen yet is not what shall be taken back.
+    if (this.naming) this.runner.cancel();
+    await this.named;
     if (this.runner.running) return;
     const run = this.history.back();
     if (!run) return;
@@ -206,10 +261,14 @@ export class Studio {
    * Shows nets and model; null if they could not be drawn, or if a run has begun meanwhile, whose
    * panels these are then.
    *
-   * @param selected parts that are chosen at first
+   * @param how.selected parts that are chosen at first
+   * @param how.renamed all but names is as it was
    */
-  private async present(run: FinishedRun, selected: number[] = []): Promise<string | null> {
-    const lead = await this.result.show(run).catch((error: unknown) => {
+  private async present(
+    run: FinishedRun,
+    { selected = [], renamed = false }: { selected?: number[]; renamed?: boolean } = {},
+  ): Promise<string | null> {
+    const lead = await this.result.show(run, renamed).catch((error: unknown) => {
       console.error(error);
       if (this.runner.running) return null;
       this.leave('The nets were found, but not drawn.', '');
@@ -220,7 +279,8 @@ export class Studio {
       return null;
     });
     if (lead === null || this.runner.running) return null;
-    this.workshop.finish(run.result);
+    if (renamed) this.workshop.rename(run.result.pieces);
+    else this.workshop.finish(run.result);
     this.parts.offer(run.result, this.history.undo, selected);
     await this.result.complete();
     return this.runner.running ? null : lead;

@@ -1,4 +1,4 @@
-import type { JobEvent, JobResult } from '../model/job.js';
+import type { JobEvent, JobResult, Piece } from '../model/job.js';
 import { ChartPanel } from './chart-panel.js';
 import { find } from './dom.js';
 import { MatrixPanel } from './matrix-panel.js';
@@ -80,6 +80,11 @@ export class Workshop {
     find('#result-model', HTMLElement).append(this.model.figure);
     find('#result-pictures', HTMLElement).append(this.pictures);
     this.room.hidden = true;
+  }
+
+  /** Takes the pieces of the result with other names; the pictures stay as they are. */
+  rename(pieces: readonly Piece[]): void {
+    this.model.rename(pieces);
   }
 
   /** Keeps what there is of a run that ended without a result, and says why it is no more. */

@@ -1,4 +1,4 @@
-import type { Edit, JobResult, JobStart } from './job.js';
+import type { Edit, JobResult, JobStart, PartName } from './job.js';
 
 /** Splits a part in so many. */
 export function splitting(part: number, into = 2): Edit {
@@ -13,4 +13,24 @@ export function merging(parts: number[]): Edit {
 /** What a job needs to change a result. */
 export function startFrom({ labels, nets }: JobResult, edits: Edit[]): JobStart {
   return { labels, nets, edits };
+}
+
+/** The names with another one for a part, or none if it is empty. */
+export function renamed(names: readonly PartName[], part: number, name: string): PartName[] {
+  const others = names.filter((chosen) => chosen.part !== part);
+  return name === '' ? others : [...others, { part, name }].sort((a, b) => a.part - b.part);
+}
+
+/** The parts whose names differ, ascending. */
+export function differentlyNamed(
+  before: readonly PartName[],
+  after: readonly PartName[],
+): number[] {
+  const isIn = (names: readonly PartName[], { part, name }: PartName): boolean =>
+    names.some((other) => other.part === part && other.name === name);
+  const changed = [
+    ...before.filter((chosen) => !isIn(after, chosen)),
+    ...after.filter((chosen) => !isIn(before, chosen)),
+  ];
+  return [...new Set(changed.map(({ part }) => part))].sort((a, b) => a - b);
 }

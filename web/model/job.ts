@@ -79,7 +79,7 @@ export interface JobOptions {
   flapEdges: FlapChoice[];
   glueStrips: GlueStrips;
   ids: IdPlace;
-  /** Parts without a name have pieces with letters. */
+  /** Parts without a name have pieces with letters. In a job with a start: parts of the result before. */
   names: PartName[];
   /** With automatic orientation, the first one on which these fit is taken. */
   pins: PinnedPiece[];
@@ -276,6 +276,8 @@ export interface JobResult {
   /** Per face of the repaired model: its part. */
   labels: Int32Array;
   parts: number;
+  /** Those that were chosen and still have their part, by the numbers of these parts. */
+  names: PartName[];
   /** In the order of gluing. */
   pieces: Piece[];
   nets: SavedNet[];

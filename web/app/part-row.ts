@@ -1,0 +1,102 @@
+import type { JobResult, Piece } from '../model/job.js';
+import { partColour } from '../model/part-colours.js';
+import { make } from './dom.js';
+import { listed } from './folding-words.js';
+
+export interface PartRowListener {
+  toggle(part: number): void;
+  /** The name that a person has entered; empty for the letter. */
+  rename(part: number, name: string): void;
+}
+
+/** "piece C", "pieces Wing 1 and Wing 2" */
+function pieceWords(pieces: readonly Piece[]): string {
+  if (pieces.length === 0) return 'no net';
+  const names = pieces.map(({ name }) => name);
+  return `${names.length === 1 ? 'piece' : 'pieces'} ${listed(names)}`;
+}
+
+/** A part in the list: a button that chooses it, and a field for its name. */
+export class PartRow {
+  readonly item: HTMLLIElement;
+  private readonly button: HTMLButtonElement;
+  private readonly pieces = make('small');
+  private readonly field: HTMLInputElement;
+  private name = '';
+  /** Whether the field holds what was neither applied nor taken back. */
+  private editing = false;
+
+  constructor(
+    private readonly part: number,
+    private readonly listener: PartRowListener,
+  ) {
+    const swatch = make('span', { className: 'part__swatch' });
+    swatch.style.setProperty('--colour', partColour(part));
+    const words = make('span', {}, `Part ${part + 1}`, this.pieces);
+    this.button = make('button', { type: 'button', className: 'part' }, swatch, words);
+    this.button.addEventListener('click', () => listener.toggle(part));
+    this.field = this.nameField();
+    this.item = make('li', { className: 'part-row' }, this.button);
+  }
+
+  /** @param nameable whether the part can have a name now */
+  show({ pieces, names }: JobResult, nameable: boolean): void {
+    const own = pieces.filter((piece) => piece.part === this.part);
+    const faces = own.reduce((sum, { sources }) => sum + sources.length, 0);
+    this.name = names.find(({ part }) => part === this.part)?.name ?? '';
+    this.pieces.textContent = `, ${pieceWords(own)}`;
+    // The field says as much to those who see it.
+    const isShown = own.length === 1 && own[0]!.name === this.name;
+    this.pieces.classList.toggle('visually-hidden', isShown);
+    this.button.title = `${faces} faces`;
+    if (!nameable) this.field.remove();
+    else if (!this.field.isConnected) this.item.append(this.field);
+    if (!this.editing) this.takeBack();
+  }
+
+  set pressed(pressed: boolean) {
+    this.button.setAttribute('aria-pressed', String(pressed));
+  }
+
+  set locked(locked: boolean) {
+    this.field.readOnly = locked;
+  }
+
+  /** Says of the field that what it holds was not applied, if so. */
+  refuse(): void {
+    if (this.field.value.trim() !== this.name) this.field.setAttribute('aria-invalid', 'true');
+  }
+
+  private nameField(): HTMLInputElement {
+    const field = make('input', {
+      type: 'text',
+      className: 'part__name',
+      placeholder: 'name',
+      autocomplete: 'off',
+      enterKeyHint: 'done',
+    });
+    field.setAttribute('aria-label', `Name of part ${this.part + 1}`);
+    field.setAttribute('aria-describedby', 'name-fault');
+    field.addEventListener('input', () => (this.editing = true));
+    field.addEventListener('change', () => this.apply());
+    field.addEventListener('keydown', ({ key, isComposing }) => {
+      if (key === 'Escape' && !isComposing) this.takeBack();
+    });
+    return field;
+  }
+
+  /** At Enter, or when the keyboard leaves the field. */
+  private apply(): void {
+    // A name that was taken back is no change, whatever the browser says.
+    if (!this.editing) return;
+    this.editing = false;
+    this.field.removeAttribute('aria-invalid');
+    this.listener.rename(this.part, this.field.value.trim());
+  }
+
+  private takeBack(): void {
+    this.editing = false;
+    this.field.value = this.name;
+    this.field.removeAttribute('aria-invalid');
+  }
+}
