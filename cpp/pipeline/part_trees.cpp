@@ -32,6 +32,10 @@ bool is_far_from_net(const Region& region, const Candidate& candidate) {
   return candidate.overlaps >= std::clamp(kFarShare * panels, kLeastFar, kMostFar);
 }
 
+bool is_far_from_motion(const Candidate& candidate) {
+  return candidate.is_net() && candidate.shortfall >= kMostFar;
+}
+
 PartTrees::PartTrees(const JobState& state) {
   std::map<int, Place> places;
   for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
@@ -56,7 +60,8 @@ void PartTrees::settle(int part, FoundNet net) { trees_[part] = {std::move(net),
 
 void PartTrees::leave_open(Region region, Candidate candidate) {
   const int part = region.part;
-  if (is_far_from_net(region, candidate) && !regrouped_.contains(part)) {
+  const bool is_far = is_far_from_net(region, candidate) || is_far_from_motion(candidate);
+  if (is_far && may_regroup(part)) {
     to_regroup_.insert(part);
   } else {
     (exchanges_[part] < kMostExchanges ? waiting_ : uncured_).insert(part);

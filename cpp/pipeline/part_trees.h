@@ -22,6 +22,9 @@ struct Candidate {
 /// border will do.
 bool is_far_from_net(const Region& region, const Candidate& candidate);
 
+/// The same of a part with a net, and of collisions while it folds.
+bool is_far_from_motion(const Candidate& candidate);
+
 /// The best tree of every whole part, and what parts give each other where one has none.
 ///
 /// That waits until all parts have been tried, and then goes one by one in the order of parts: each
@@ -45,6 +48,9 @@ class PartTrees {
   /// Regroups the first part that is to be, and says which are to be searched anew: they
   /// are forgotten until then. Empty when there is none, or when it cannot be regrouped.
   std::vector<int> regroup_next(JobState& state);
+
+  /// The part's borders may be changed as a whole once more.
+  bool may_regroup(int part) const { return !regrouped_.contains(part); }
 
   bool exchanging() const { return exchange_.has_value(); }
   /// Part whose exchange is under way. \pre `exchanging()`

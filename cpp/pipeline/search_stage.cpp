@@ -33,7 +33,7 @@ constexpr int kEvolutions = 4;
 // by planning or exchanges: that takes minutes with some thousands, and no person folds such a
 // piece.
 constexpr int kMostToFold = 4000;
-constexpr std::size_t kMostToPlan = 2000;
+constexpr std::size_t kMostToPlan = 1000;
 
 // Panels above which another attempt goes on from the best tree so far.
 constexpr std::size_t kLarge = 1000;
@@ -237,7 +237,7 @@ class SearchStage : public Stage {
       queue_attempt(state, queue, std::move(search));
     } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
       give_in(state, queue, std::move(search), events);
-    } else if (best.is_net()) {
+    } else if (best.is_net() && !is_for_regrouping(state, search)) {
       plan(state, queue, std::move(search));
     } else {
       unsolved(state, queue, std::move(search), events);
@@ -262,11 +262,15 @@ class SearchStage : public Stage {
     }
   }
 
+  /// A part that can give its neighbours panels, as the tree search does it.
+  static bool is_whole_part(const JobState& state, const Region& region) {
+    return region.cause == Cause::kPart && !is_component(state, region) &&
+           state.options.solver == Solver::kTree;
+  }
+
   /// A region that has no net, or none that folds.
   void unsolved(JobState& state, TaskQueue& queue, Search search, Events& events) {
-    const Region& region = search.region;
-    if (region.cause == Cause::kPart && !is_component(state, region) &&
-        state.options.solver == Solver::kTree) {
+    if (is_whole_part(state, search.region)) {
       trees_->leave_open(std::move(search.region), std::move(search.best));
     } else {
       give_in(state, queue, std::move(search), events);
@@ -277,6 +281,13 @@ class SearchStage : public Stage {
   static bool is_hopeless(const JobState& state, const Search& search) {
     return state.options.solver == Solver::kTree && !is_component(state, search.region) &&
            is_far_from_net(search.region, search.best);
+  }
+
+  /// Planning takes longest where a part is far from folding: other borders are the better way.
+  bool is_for_regrouping(const JobState& state, const Search& search) const {
+    const Region& region = search.region;
+    return is_whole_part(state, region) && is_far_from_motion(search.best) &&
+           trees_->may_regroup(region.part);
   }
 
   /// Gives parts other borders that need them, and searches them anew; false when there
