@@ -1,10 +1,11 @@
 // Measures what comes out on paper: flaps, ids, sheets, and pieces that are cut again.
 //
-// Arguments: numbers of faces (300, 574 and 1000 when none is given), and `model=NAME` to take one
-// model alone. Runs whole jobs of nine organic models in 8 parts, 150 mm high on A4, and prints one
-// JSON line per model and a line of means and worst values per number of faces, shares in percent.
-// The models of the first size are laid out once more at 300 mm, where pieces are too large for the
-// sheet; `pieces_per_need` compares them with what the area of each part needs at least.
+// Arguments: numbers of faces (300, 574 and 1000 when none is given), `model=NAME` to take one
+// model alone, and `folding=off` for nets that need not fold up. Runs whole jobs of nine organic
+// models in 8 parts, 150 mm high on A4, and prints one JSON line per model and a line of means and
+// worst values per number of faces, shares in percent. The models of the first size are laid out
+// once more at 300 mm, where pieces are too large for the sheet; `pieces_per_need` compares them
+// with what the area of each part needs at least.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -91,6 +92,9 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   m.values["sheets"] = result.sheets.sheet_count;
   m.values["strips"] = static_cast<double>(result.strips.size());
   m.values["taped"] = result.taped;
+  double seconds = 0;
+  for (const auto& [stage, passed] : job.seconds) seconds += passed;
+  m.values["seconds"] = seconds;
   m.values["seconds_paper"] = job.seconds.at(StageId::kPaper);
   m.values["seconds_packing"] = seconds_of_packing(prints, options.sheet);
   m.values["longest_step"] = job.longest_step.at(StageId::kPaper);
@@ -129,15 +133,22 @@ void print_summary(const std::string& head, const std::vector<Measures>& all) {
   print_line(head, summary);
 }
 
-void measure_all(int faces, double height, const std::string& only) {
+struct Wishes {
+  std::vector<int> sizes;
+  std::string only;  ///< name of a model; empty: all
+  FoldingMode folding = FoldingMode::kPrefer;
+};
+
+void measure_all(int faces, double height, const Wishes& wishes) {
   std::vector<Measures> all;
   for (const char* name : kModels) {
-    if (!only.empty() && only != name) continue;
+    if (!wishes.only.empty() && wishes.only != name) continue;
     const auto path = shared_folder() / "models/organic" /
                       (std::string(name) + "_" + std::to_string(faces) + ".obj");
     if (!std::filesystem::exists(path)) continue;
     JobOptions options;
     options.parts = 8;
+    options.folding = wishes.folding;
     options.size = {Sizing::kHeight, height};
     options.strips = GlueStrips::kFree;
     const TimedJob job = run_timed(path, options);
@@ -157,18 +168,19 @@ void measure_all(int faces, double height, const std::string& only) {
 }  // namespace foldwright::testing
 
 int main(int argc, char** argv) {
-  std::vector<int> sizes;
-  std::string only;
+  foldwright::testing::Wishes wishes;
   for (int i = 1; i < argc; ++i) {
     const std::string text = argv[i];
     if (text.starts_with("model=")) {
-      only = text.substr(6);
+      wishes.only = text.substr(6);
+    } else if (text == "folding=off") {
+      wishes.folding = foldwright::FoldingMode::kOff;
     } else {
-      sizes.push_back(std::atoi(argv[i]));
+      wishes.sizes.push_back(std::atoi(argv[i]));
     }
   }
-  if (sizes.empty()) sizes = {300, 574, 1000};
-  for (const int faces : sizes) foldwright::testing::measure_all(faces, 150, only);
-  foldwright::testing::measure_all(sizes[0], 300, only);
+  if (wishes.sizes.empty()) wishes.sizes = {300, 574, 1000};
+  for (const int faces : wishes.sizes) foldwright::testing::measure_all(faces, 150, wishes);
+  foldwright::testing::measure_all(wishes.sizes[0], 300, wishes);
   return 0;
 }

@@ -1,6 +1,6 @@
 // Runs the engine's benchmarks, native and WASM in turn in one run, and prints them side by side with what is aimed at.
-// With --full also both solvers on small models, which takes minutes, the paper's studies, and the whole corpus, as nets
-// and on sheets. Takes the builds as they are: `npm run bench` makes them first.
+// With --full also both solvers on small models, which takes minutes, the paper's studies, parts and paper over the
+// organic models, growth in Chromium, and the whole corpus, as nets and on sheets. Takes the builds as they are: `npm run bench` makes them first.
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
@@ -87,7 +87,10 @@ if (process.argv.includes('--full')) {
   run('build/release/bench_segmentation', [], 'inherit');
   for (const study of studies)
     run(`build/release/bench_study_${study}`, ['build/studies'], 'inherit');
+  run('build/release/bench_pieces', [], 'inherit');
   run('build/release/bench_paper', [], 'inherit');
+  run('build/release/bench_paper', ['folding=off'], 'inherit');
+  run(process.execPath, ['tests/bench/growth.mjs', '20000'], 'inherit');
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
