@@ -20,6 +20,11 @@ constexpr double kFarShare = 0.02;
 constexpr double kLeastFar = 10;
 constexpr double kMostFar = 40;
 
+// Moves of an exchange for parts of more panels than that: each takes longer, and what is cured at
+// all is cured within these.
+constexpr std::size_t kLarge = 1000;
+constexpr std::int64_t kMovesOfLarge = 150'000;
+
 int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
   return static_cast<int>(
       overlapping_panels(graph, lay_out(graph, hang_tree(graph, folds))).size());
@@ -112,6 +117,7 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
   const bool for_motion = trees_.at(part).overlaps == 0;
   ExchangeTask task{parts_so_far(state, component, for_motion), {}};
   task.options.part = label;
+  if (trees_.at(part).net.region.panels.size() > kLarge) task.options.most_moves = kMovesOfLarge;
   task.options.clearance = for_motion ? state.options.clearance : 0;
   task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
                                 static_cast<std::uint64_t>(exchanges_[part]++));
