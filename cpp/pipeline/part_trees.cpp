@@ -20,6 +20,10 @@ constexpr double kFarShare = 0.02;
 constexpr double kLeastFar = 10;
 constexpr double kMostFar = 40;
 
+// A part of fewer panels that no exchange cures is not joined to another one but cut: that makes one
+// piece more at most, while what is joined may not fold.
+constexpr std::size_t kSmall = 50;
+
 // Moves of an exchange for parts of more panels than that: each takes longer, and what is cured at
 // all is cured within these.
 constexpr std::size_t kLarge = 1000;
@@ -145,8 +149,9 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
   const int component = parts_[part].component;
   std::vector<Changed> again;
   if (!result.found) {
-    const bool has_net = trees_.at(part).overlaps == 0;
-    (has_net || regrouped_.contains(part) ? uncured_ : to_regroup_).insert(part);
+    const Tree& tree = trees_.at(part);
+    const bool helps = tree.overlaps > 0 && tree.net.region.panels.size() > kSmall;
+    (helps && may_regroup(part) ? to_regroup_ : uncured_).insert(part);
     return again;
   }
   state.components[component].labels = result.labels;

@@ -47,7 +47,8 @@ struct Search {
   std::uint64_t key = 0;  ///< names the region in its seeds
   int attempt = 0;
   Candidate best;
-  FoldTree initial;  ///< tree that the first attempt starts from; empty: from heuristics
+  FoldTree initial;      ///< tree that the first attempt starts from; empty: from heuristics
+  bool is_last = false;  ///< its borders stand still: what comes of it counts
 };
 
 /// The region itself names its searches in their seeds, since regions come up in any order.
@@ -238,8 +239,10 @@ class SearchStage : public Stage {
     } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
       give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && !is_for_regrouping(state, search)) {
+      unplanned_.erase(search.region.part);
       plan(state, queue, std::move(search));
     } else {
+      if (best.is_net()) unplanned_.insert(search.region.part);
       unsolved(state, queue, std::move(search), events);
     }
   }
@@ -257,6 +260,8 @@ class SearchStage : public Stage {
     search.best.motion = result.motion;
     if (result.motion.certified()) {
       settle(state, std::move(search), events);
+    } else if (search.is_last) {
+      give_in(state, queue, std::move(search), events);
     } else {
       unsolved(state, queue, std::move(search), events);
     }
@@ -307,10 +312,18 @@ class SearchStage : public Stage {
     }
   }
 
-  /// After the last exchange borders stand still, and what it did not cure gives in.
+  /// After the last exchange borders stand still. A net that was to be regrouped is planned a
+  /// motion for all the same, and what is not cured gives in.
   void give_in_to_rest(JobState& state, TaskQueue& queue, Events& events) {
     for (auto& [part, candidate] : trees_->take_uncured()) {
-      give_in(state, queue, {trees_->region(state, part), 0, 0, std::move(candidate), {}}, events);
+      Region region = trees_->region(state, part);
+      const std::uint64_t key = key_of(region);
+      Search search{std::move(region), key, 0, std::move(candidate), {}, true};
+      if (unplanned_.erase(part) > 0 && search.best.is_net()) {
+        plan(state, queue, std::move(search));
+      } else {
+        give_in(state, queue, std::move(search), events);
+      }
     }
   }
 
@@ -403,6 +416,7 @@ class SearchStage : public Stage {
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
   std::set<int> told_parts_;
+  std::set<int> unplanned_;  ///< parts with a net that no motion was planned for
   int panels_done_ = 0;
   int nets_found_ = 0;
   bool labels_changed_ = false;

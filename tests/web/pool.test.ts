@@ -150,7 +150,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
 
   it('tells no generation twice when workers die over searches', async () => {
     const counts = [new GenerationCount(), new GenerationCount()];
-    const options: Partial<JobOptions> = { solver: 'genetic', parts: 6, compaction: false };
+    const options: Partial<JobOptions> = { solver: 'genetic', parts: 4, compaction: false };
     for (const [times, count] of counts.entries()) {
       const armed = (): boolean => count.generations.size > 0;
       await withThreads(2, (pool) => unfold(pool, ring(10), options, count.hear), {
