@@ -20,8 +20,8 @@ constexpr double kFarShare = 0.02;
 constexpr double kLeastFar = 10;
 constexpr double kMostFar = 40;
 
-// A part of fewer panels that no exchange cures is not joined to another one but cut: that makes one
-// piece more at most, while what is joined may not fold.
+// A part of fewer panels that no exchange cures is not joined to another one but cut: that makes
+// one piece more at most, while what is joined may not fold.
 constexpr std::size_t kSmall = 50;
 
 // Moves of an exchange for parts of more panels than that: each takes longer, and what is cured at
