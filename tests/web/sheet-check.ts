@@ -143,8 +143,11 @@ function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[]
       const ahead = [1, 2, 3, 4, 5].map((step) => walk[(i + step) % walk.length]!);
       const end = ahead.findIndex((point) => distance(point, to) <= tolerance);
       if (end === 0) return 'straight';
-      if (end > 0 && ahead.slice(0, end).every((point) => cross(from, to, point) < tolerance)) {
-        around ??= [from, ...ahead.slice(0, end + 1)];
+      const between = ahead.slice(0, Math.max(end, 0));
+      // A slit that does not open leads away and back: the way round the edge begins after it.
+      const comesBack = between.some((point) => distance(point, from) <= tolerance);
+      if (end > 0 && !comesBack && between.every((point) => cross(from, to, point) < tolerance)) {
+        around ??= [from, ...between, ahead[end]!];
       }
     }
   }
