@@ -142,7 +142,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
 
   it.each(solvers)('tells every generation of every part by %s', async (solver) => {
     const count = new GenerationCount();
-    const options = { solver, parts: 6, compaction: false };
+    const options = { solver, parts: 4, compaction: false };
     await withThreads(2, (pool) => unfold(pool, ring(10), options, count.hear));
     expect(count.generations.size).toBeGreaterThan(0);
     expect(count.pictures).toBeGreaterThan(0);
