@@ -33,7 +33,7 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     expect(await barriers(page)).toEqual([]);
 
     // Long enough to be looked at, and not to be filled in: it is folded away.
-    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '20000'));
+    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '60000'));
     await studio.chooseSample('Cat');
     for (const picture of ['#model-picture', '#matrix']) await studio.drawn(picture);
     await studio.picture(`${name}-2-learning`);

@@ -57,7 +57,7 @@ test('a name takes the place of a letter everywhere, and moves no piece', () =>
     expect(texts.filter((text) => new RegExp(`^${letter}(:\\d+)?$`).test(text))).toEqual([]);
     expect(await page.locator('#announcement').innerText()).toBe('Named Wing.');
     await page.getByText('How to fold and glue it').click();
-    expect(await page.locator('#steps').innerText()).toContain('Piece Wing:');
+    await page.locator('#steps').getByText('Piece Wing:').first().waitFor();
     expect((await studio.download('FOLD')).bytes.toString()).toContain('"Piece Wing"');
     await studio.picture('names');
 
