@@ -1,8 +1,6 @@
 #include "mesh/nearest_face.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "geometry/box_tree.h"
 #include "geometry/triangle3.h"
@@ -25,25 +23,6 @@ Triangle3 corners_of(const Mesh& mesh, int face) {
 }
 
 Vec3 normal_of(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
-
-double segment_distance2(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (a + t * along - p).squaredNorm();
-}
-
-double triangle_distance2(const Vec3& p, const Target& t) {
-  const auto& [a, b, c] = t.corners;
-  const bool over_face = t.normal.dot((b - a).cross(p - a)) >= 0 &&
-                         t.normal.dot((c - b).cross(p - b)) >= 0 &&
-                         t.normal.dot((a - c).cross(p - c)) >= 0;
-  if (over_face) {
-    const double height = t.normal.dot(p - a);
-    return height * height;
-  }
-  return std::min(
-      {segment_distance2(p, a, b), segment_distance2(p, b, c), segment_distance2(p, c, a)});
-}
 
 std::vector<Target> make_targets(const Mesh& mesh) {
   std::vector<Target> targets;
@@ -75,7 +54,7 @@ std::vector<int> nearest_faces(const Mesh& from, const Mesh& to) {
     const Vec3 point = (corners[0] + corners[1] + corners[2]) / 3;
     const Vec3 normal = normal_of(corners);
     const auto cost = [&](int i) {
-      return triangle_distance2(point, targets[i]) +
+      return (closest_point(targets[i].corners, point) - point).squaredNorm() +
              normal_weight * (1 - normal.dot(targets[i].normal));
     };
     // Neighbours in a file are mostly neighbours in space: the last answer is a good first bound.

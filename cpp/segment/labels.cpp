@@ -20,6 +20,14 @@ int part_count(std::span<const int> labels) {
   return labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end());
 }
 
+std::vector<double> part_areas(const DualGraph& graph, std::span<const int> labels) {
+  std::vector<double> areas(part_count(labels), 0);
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    areas[labels[panel]] += graph.areas[panel];
+  }
+  return areas;
+}
+
 std::vector<int> part_pieces(const DualGraph& graph, std::span<const int> labels) {
   std::vector<int> piece(graph.panel_count(), -1);
   std::vector<int> stack;

@@ -16,6 +16,9 @@ Labels renumbered(std::span<const int> labels);
 /// One more than the greatest label.
 int part_count(std::span<const int> labels);
 
+/// Per part the area of its panels, in square model units.
+std::vector<double> part_areas(const DualGraph& graph, std::span<const int> labels);
+
 /// Per panel the number of its connected piece within its part, from 0 by lowest panel.
 std::vector<int> part_pieces(const DualGraph& graph, std::span<const int> labels);
 

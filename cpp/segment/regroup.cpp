@@ -101,12 +101,9 @@ int choose_partner(const Choices& choices) {
 
 /// The largest part by area, but for two; -1 when no other has two panels.
 int largest_but(const DualGraph& graph, const Labels& labels, int one, int other) {
-  std::vector<double> areas(part_count(labels), 0);
+  const std::vector<double> areas = part_areas(graph, labels);
   std::vector<int> sizes(areas.size(), 0);
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    areas[labels[panel]] += graph.areas[panel];
-    ++sizes[labels[panel]];
-  }
+  for (const int label : labels) ++sizes[label];
   int largest = -1;
   for (int part = 0; part < static_cast<int>(areas.size()); ++part) {
     if (part == one || part == other || sizes[part] < 2) continue;

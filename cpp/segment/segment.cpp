@@ -37,14 +37,6 @@ std::vector<int> panels_of(const Labels& labels, int part) {
   return panels;
 }
 
-std::vector<double> part_areas(const DualGraph& graph, const Labels& labels) {
-  std::vector<double> areas(part_count(labels), 0);
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    areas[labels[panel]] += graph.areas[panel];
-  }
-  return areas;
-}
-
 /// The part of largest area that has more than one panel; -1 when there is none.
 int largest_divisible(const DualGraph& graph, const Labels& labels) {
   const std::vector<double> area = part_areas(graph, labels);
