@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/search_limits.h"
 #include "segment/regroup.h"
 
 namespace foldwright {
@@ -24,9 +25,8 @@ constexpr double kMostFar = 40;
 // one piece more at most, while what is joined may not fold.
 constexpr std::size_t kSmall = 50;
 
-// Moves of an exchange for parts of more panels than that: each takes longer, and what is cured at
-// all is cured within these.
-constexpr std::size_t kLarge = 1000;
+// Moves of an exchange for large parts: each takes longer, and what is cured at all is cured within
+// these.
 constexpr std::int64_t kMovesOfLarge = 150'000;
 
 int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
@@ -91,6 +91,11 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
         component.learned ? component.learned->matrix.size : component.graph.panel_count();
     auto regrouping =
         regroup(state.surface->mesh, component.graph, learned_panels, component.labels, label);
+    if (!regrouping && trees_.at(part).overlaps == 0) {
+      // Searched again, it is planned a motion for within its own borders.
+      forget(part);
+      return {part};
+    }
     if (!regrouping) {
       (exchanges_[part] == 0 ? waiting_ : uncured_).insert(part);
       continue;
@@ -121,7 +126,8 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
   const bool for_motion = trees_.at(part).overlaps == 0;
   ExchangeTask task{parts_so_far(state, component, for_motion), {}};
   task.options.part = label;
-  if (trees_.at(part).net.region.panels.size() > kLarge) task.options.most_moves = kMovesOfLarge;
+  if (trees_.at(part).net.region.panels.size() > kLargeRegion)
+    task.options.most_moves = kMovesOfLarge;
   task.options.clearance = for_motion ? state.options.clearance : 0;
   task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
                                 static_cast<std::uint64_t>(exchanges_[part]++));

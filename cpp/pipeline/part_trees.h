@@ -45,8 +45,9 @@ class PartTrees {
   /// The part has not, and waits for an exchange.
   void leave_open(Region region, Candidate candidate);
 
-  /// Regroups the first part that is to be, and says which are to be searched anew: they
-  /// are forgotten until then. Empty when there is none, or when it cannot be regrouped.
+  /// Regroups the first part that is to be, and says which are to be searched anew: they are
+  /// forgotten until then. A part that cannot be regrouped is among them if it has a net. Empty
+  /// when none is left.
   std::vector<int> regroup_next(JobState& state);
 
   /// The part's borders may be changed as a whole once more.

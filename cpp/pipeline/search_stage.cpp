@@ -8,6 +8,7 @@
 #include "pipeline/net_split.h"
 #include "pipeline/part_trees.h"
 #include "pipeline/search_history.h"
+#include "pipeline/search_limits.h"
 #include "pipeline/search_notices.h"
 #include "search/overlap_cut.h"
 
@@ -20,24 +21,6 @@ constexpr std::uint64_t kPlan = 5;    // and the planning of a motion
 // Temperatures of the attempts in turn: 2 solves nearly all, rare tight regions want less.
 constexpr std::array<double, 4> kTemperatures = {2, 1, 3, 0.5};
 
-// Seeds that a region gets before it counts as having no net that folds. A part with one almost
-// always shows it at once, and one without is cured at its border. A whole component has no border.
-constexpr int kAttemptsOfPart = 3;
-constexpr int kAttemptsOfWhole = 12;
-
-// An evolution and three restarts, as the paper's authors set it. What evolution does not solve is
-// split, as published: border exchange belongs to the tree search.
-constexpr int kEvolutions = 4;
-
-// Panels above which no motion is looked for, unless it is required, and above which none is found
-// by planning or exchanges: that takes minutes with some thousands, and no person folds such a
-// piece.
-constexpr int kMostToFold = 4000;
-constexpr std::size_t kMostToPlan = 1000;
-
-// Panels above which another attempt goes on from the best tree so far.
-constexpr std::size_t kLarge = 1000;
-
 // What a search under way counts for in the progress, against one that found its net.
 constexpr double kSearchShare = 0.7;
 
@@ -47,8 +30,7 @@ struct Search {
   std::uint64_t key = 0;  ///< names the region in its seeds
   int attempt = 0;
   Candidate best;
-  FoldTree initial;      ///< tree that the first attempt starts from; empty: from heuristics
-  bool is_last = false;  ///< its borders stand still: what comes of it counts
+  FoldTree initial;  ///< tree that the first attempt starts from; empty: from heuristics
 };
 
 /// The region itself names its searches in their seeds, since regions come up in any order.
@@ -139,34 +121,6 @@ class SearchStage : public Stage {
   }
 
  private:
-  static bool wants_motion(const JobState& state, const Region& region) {
-    return state.options.folding != FoldingMode::kOff && !region.meets_itself && !region.too_large;
-  }
-
-  static bool is_too_large_to_plan(const JobState& state, const Region& region) {
-    return state.options.folding == FoldingMode::kPrefer && region.panels.size() > kMostToPlan;
-  }
-
-  /// Seeds that a region gets before it counts as having no net, or none that folds straight: such
-  /// a one is planned a motion for sooner than searched anew.
-  static int attempts_for(const JobState& state, const Region& region, bool has_net) {
-    if (state.options.solver == Solver::kGenetic) return kEvolutions;
-    return is_component(state, region) && !has_net ? kAttemptsOfWhole : kAttemptsOfPart;
-  }
-
-  static bool is_component(const JobState& state, const Region& region) {
-    return region.panels.size() == state.components[region.component].panels.size();
-  }
-
-  /// Notes what stands in the way of a motion.
-  static void examine(const JobState& state, Region& region) {
-    if (state.options.folding == FoldingMode::kOff) return;
-    const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
-    region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
-    region.too_large = state.options.folding == FoldingMode::kPrefer &&
-                       static_cast<int>(region.panels.size()) > kMostToFold;
-  }
-
   /// Takes the nets of a part that an edit leaves as it is.
   void keep(JobState& state, Component& component, Events& events) {
     for (FoundNet& net : std::exchange(component.kept, {})) {
@@ -195,7 +149,7 @@ class SearchStage : public Stage {
     SearchTask task{{.temperature = temperature, .clearance = clearance, .seed = seed},
                     std::exchange(search.initial, {})};
     // A large region has come too far to begin again.
-    const bool is_large = search.region.panels.size() > kLarge;
+    const bool is_large = search.region.panels.size() > kLargeRegion;
     if (is_large && search.attempt > 0) task.initial = search.best.folds;
     queue_work(state, queue, std::move(search), std::move(task));
   }
@@ -234,15 +188,13 @@ class SearchStage : public Stage {
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
     } else if (++search.attempt < attempts_for(state, search.region, best.is_net()) &&
-               !is_hopeless(state, search)) {
+               !is_hopeless(state, search.region, best)) {
       queue_attempt(state, queue, std::move(search));
     } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
       give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && !is_for_regrouping(state, search)) {
-      unplanned_.erase(search.region.part);
       plan(state, queue, std::move(search));
     } else {
-      if (best.is_net()) unplanned_.insert(search.region.part);
       unsolved(state, queue, std::move(search), events);
     }
   }
@@ -260,43 +212,28 @@ class SearchStage : public Stage {
     search.best.motion = result.motion;
     if (result.motion.certified()) {
       settle(state, std::move(search), events);
-    } else if (search.is_last) {
-      give_in(state, queue, std::move(search), events);
     } else {
       unsolved(state, queue, std::move(search), events);
     }
   }
 
-  /// A part that can give its neighbours panels, as the tree search does it.
-  static bool is_whole_part(const JobState& state, const Region& region) {
-    return region.cause == Cause::kPart && !is_component(state, region) &&
-           state.options.solver == Solver::kTree;
-  }
-
   /// A region that has no net, or none that folds.
   void unsolved(JobState& state, TaskQueue& queue, Search search, Events& events) {
-    if (is_whole_part(state, search.region)) {
+    if (is_exchangeable(state, search.region)) {
       trees_->leave_open(std::move(search.region), std::move(search.best));
     } else {
       give_in(state, queue, std::move(search), events);
     }
   }
 
-  /// Other seeds are no use to a region far from a net, unless there is nothing else.
-  static bool is_hopeless(const JobState& state, const Search& search) {
-    return state.options.solver == Solver::kTree && !is_component(state, search.region) &&
-           is_far_from_net(search.region, search.best);
-  }
-
   /// Planning takes longest where a part is far from folding: other borders are the better way.
   bool is_for_regrouping(const JobState& state, const Search& search) const {
     const Region& region = search.region;
-    return is_whole_part(state, region) && is_far_from_motion(search.best) &&
+    return is_exchangeable(state, region) && is_far_from_motion(search.best) &&
            trees_->may_regroup(region.part);
   }
 
-  /// Gives parts other borders that need them, and searches them anew; false when there
-  /// is none.
+  /// Gives parts that need them other borders, and searches them anew; false when there is none.
   bool regroup(JobState& state, TaskQueue& queue) {
     const std::vector<int> again = trees_->regroup_next(state);
     for (const int part : again) start(state, queue, trees_->region(state, part));
@@ -312,18 +249,10 @@ class SearchStage : public Stage {
     }
   }
 
-  /// After the last exchange borders stand still. A net that was to be regrouped is planned a
-  /// motion for all the same, and what is not cured gives in.
+  /// After the last exchange borders stand still, and what it did not cure gives in.
   void give_in_to_rest(JobState& state, TaskQueue& queue, Events& events) {
     for (auto& [part, candidate] : trees_->take_uncured()) {
-      Region region = trees_->region(state, part);
-      const std::uint64_t key = key_of(region);
-      Search search{std::move(region), key, 0, std::move(candidate), {}, true};
-      if (unplanned_.erase(part) > 0 && search.best.is_net()) {
-        plan(state, queue, std::move(search));
-      } else {
-        give_in(state, queue, std::move(search), events);
-      }
+      give_in(state, queue, {trees_->region(state, part), 0, 0, std::move(candidate), {}}, events);
     }
   }
 
@@ -416,7 +345,6 @@ class SearchStage : public Stage {
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
   std::set<int> told_parts_;
-  std::set<int> unplanned_;  ///< parts with a net that no motion was planned for
   int panels_done_ = 0;
   int nets_found_ = 0;
   bool labels_changed_ = false;

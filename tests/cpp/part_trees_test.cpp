@@ -80,6 +80,21 @@ TEST(PartTrees, ExchangePartsOneByOneInTheirOrder) {
   EXPECT_TRUE(trees.take_uncured().empty());
 }
 
+TEST(PartTrees, SearchAPartFarFromFoldingAgainWhereNoneCanBeSplitInstead) {
+  JobState state = state_before_search();
+  PartTrees trees(state);
+  for (const int part : {0, 1}) {
+    const Region region = trees.region(state, part);
+    EXPECT_TRUE(trees.may_regroup(part));
+    trees.leave_open(region, {any_tree(state, region), 0, part == 0 ? 1000 : 1, {}});
+  }
+  const Labels before = state.components[0].labels;
+  EXPECT_EQ(trees.regroup_next(state), std::vector{0});
+  EXPECT_EQ(state.components[0].labels, before);
+  EXPECT_FALSE(trees.may_regroup(0)) << "or it would be asked for again and again";
+  EXPECT_TRUE(trees.regroup_next(state).empty());
+}
+
 TEST(PartTrees, KeepTheNetOfANeighbourThatStillDoesNotFold) {
   JobState state = state_before_search();
   PartTrees trees(state);

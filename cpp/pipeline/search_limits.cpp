@@ -1,0 +1,56 @@
+#include "pipeline/search_limits.h"
+
+namespace foldwright {
+namespace {
+
+// Seeds that a region gets before it counts as having no net that folds. A part with one almost
+// always shows it at once, and one without is cured at its border. A whole component has no border.
+constexpr int kAttemptsOfPart = 3;
+constexpr int kAttemptsOfWhole = 12;
+
+// An evolution and three restarts, as the paper's authors set it. What evolution does not solve is
+// split, as published: border exchange belongs to the tree search.
+constexpr int kEvolutions = 4;
+
+// Panels above which no motion is looked for, unless it is required: the search for one takes
+// minutes with some thousands, and no person folds such a piece.
+constexpr std::size_t kMostToFold = 4000;
+
+}  // namespace
+
+bool is_component(const JobState& state, const Region& region) {
+  return region.panels.size() == state.components[region.component].panels.size();
+}
+
+bool is_exchangeable(const JobState& state, const Region& region) {
+  return region.cause == Cause::kPart && !is_component(state, region) &&
+         state.options.solver == Solver::kTree;
+}
+
+void examine(const JobState& state, Region& region) {
+  if (state.options.folding == FoldingMode::kOff) return;
+  const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
+  region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
+  region.too_large =
+      state.options.folding == FoldingMode::kPrefer && region.panels.size() > kMostToFold;
+}
+
+bool wants_motion(const JobState& state, const Region& region) {
+  return state.options.folding != FoldingMode::kOff && !region.meets_itself && !region.too_large;
+}
+
+bool is_too_large_to_plan(const JobState& state, const Region& region) {
+  return state.options.folding == FoldingMode::kPrefer && region.panels.size() > kLargeRegion;
+}
+
+int attempts_for(const JobState& state, const Region& region, bool has_net) {
+  if (state.options.solver == Solver::kGenetic) return kEvolutions;
+  return is_component(state, region) && !has_net ? kAttemptsOfWhole : kAttemptsOfPart;
+}
+
+bool is_hopeless(const JobState& state, const Region& region, const Candidate& best) {
+  return state.options.solver == Solver::kTree && !is_component(state, region) &&
+         is_far_from_net(region, best);
+}
+
+}  // namespace foldwright
