@@ -88,6 +88,24 @@ describe('runJob', () => {
     expect(spawned.count).toBe(1);
   });
 
+  it('replaces a warm worker that dies before it tells anything', async () => {
+    const { pool, spawned } = poolOf(1, (listener, worker) =>
+      mortalPort(engineOf({ steps: [done] }), listener, () => worker === 0),
+    );
+    pool.warm();
+    await expect(run(pool)).resolves.toMatchObject({ parts: 1 });
+    expect(spawned.count).toBe(2);
+  });
+
+  it('fails when the worker after a warm one dies, too', async () => {
+    const { pool, spawned } = poolOf(1, (listener) =>
+      mortalPort(engineOf({ steps: [done] }), listener, () => true),
+    );
+    pool.warm();
+    await expect(run(pool)).rejects.toMatchObject({ code: 'engine-died' });
+    expect([spawned.count, pool.workers.length]).toEqual([2, 0]);
+  });
+
   it('runs jobs in the order in which they were given', async () => {
     const { pool } = poolFor({ steps: [[progress(0.5)], done] });
     const order: number[] = [];
@@ -108,6 +126,17 @@ describe('runJob', () => {
     const { pool } = poolFor({ steps: [[progress(0.5)]] });
     const failed = run(pool, { onEvent: () => pool.close() });
     await expect(failed).rejects.toMatchObject({ code: 'engine-died' });
+  });
+});
+
+describe('runJob in a pool that is closed', () => {
+  it('fails before its warm worker has told anything, and starts none', async () => {
+    const { pool, spawned } = poolOf(1, () => deafPort());
+    pool.warm();
+    const failed = run(pool);
+    setImmediate(() => pool.close());
+    await expect(failed).rejects.toMatchObject({ code: 'engine-died' });
+    expect([spawned.count, pool.workers.length]).toEqual([1, 0]);
   });
 });
 

@@ -52,7 +52,12 @@ export function serveEngine(host: WorkerHost): (request: Request) => void {
       throw error;
     });
   };
+  // An engine that cannot be loaded is told of at once, not at the first request.
+  worker.catch(fail);
   return (request) => {
-    worker.then((ready) => ready.handle(request)).catch(fail);
+    void worker.then(
+      (ready) => ready.handle(request).catch(fail),
+      () => undefined,
+    );
   };
 }

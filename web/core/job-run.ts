@@ -18,7 +18,12 @@ export const defaultPatience = 100;
  */
 export class JobRun implements PoolListener {
   private readonly job: number;
-  private readonly conductor: number;
+  private conductor: number;
+  /**
+   * Whether the conductor was there before the job and has told nothing of it so far. Such a worker
+   * may have failed when it was started ahead, which costs the job nothing: a new one takes over.
+   */
+  private unheard: boolean;
   private readonly helpers = new Set<number>();
   /** Workers that hold something of the job. */
   private readonly engaged = new Set<number>();
@@ -31,17 +36,16 @@ export class JobRun implements PoolListener {
    */
   constructor(
     private readonly pool: Pool,
-    request: Omit<RunRequest, 'type' | 'helpers'>,
+    private readonly request: Omit<RunRequest, 'type' | 'helpers'>,
     private readonly listener: RunListener,
     private readonly patience = defaultPatience,
   ) {
     this.job = request.job;
     pool.listen(this);
-    const [first, ...others] = pool.workers;
+    const [first] = pool.workers;
+    this.unheard = first !== undefined;
     this.conductor = first ?? pool.start();
-    this.engaged.add(this.conductor);
-    pool.post(this.conductor, { ...request, type: 'run', helpers: pool.size - 1 });
-    for (const worker of others) this.enlist(worker);
+    this.conduct();
   }
 
   /**
@@ -62,6 +66,7 @@ export class JobRun implements PoolListener {
 
   onAnswer(worker: number, answer: Answer): void {
     if (answer.job !== this.job) return;
+    if (worker === this.conductor) this.unheard = false;
     if (answer.type === 'ended') this.free(worker);
     if (!this.settle) this.passOn(worker, answer);
     // What is still under way when the job ends is of no use any more, but for what it came to.
@@ -74,12 +79,28 @@ export class JobRun implements PoolListener {
     this.free(worker);
     if (this.settle) return;
     if (worker === this.conductor) {
-      this.listener.onDeath(reason);
-      return;
+      if (!this.unheard) return this.listener.onDeath(reason);
+      this.unheard = false;
+      this.conductor = this.pool.start();
+      return this.conduct();
     }
     this.pool.post(this.conductor, { type: 'lost', job: this.job, helper: worker, reason });
     // One that died before it had anything to do would be followed by others like it, for ever.
     if (wasEngaged) this.enlist(this.pool.start());
+  }
+
+  onClose(): void {
+    this.engaged.clear();
+    if (this.settle) this.settleIfFree();
+    else this.listener.onDeath('its workers were closed');
+  }
+
+  /** Hands the job to the conductor, and all other workers that are there to it. */
+  private conduct(): void {
+    const { conductor, pool } = this;
+    this.engaged.add(conductor);
+    pool.post(conductor, { ...this.request, type: 'run', helpers: pool.size - 1 });
+    for (const worker of pool.workers) if (worker !== conductor) this.enlist(worker);
   }
 
   private passOn(worker: number, answer: Answer): void {

@@ -6,6 +6,8 @@ export interface PoolListener {
   onAnswer(worker: number, answer: Answer): void;
   /** The worker is gone; `reason` is for people. */
   onDeath(worker: number, reason: string): void;
+  /** All workers were ended on purpose. */
+  onClose(): void;
 }
 
 /** Long enough for a person to change an option; then the memory is worth more. In ms. */
@@ -86,7 +88,8 @@ export class Pool {
   /** Ends all workers at once; a job that has its turn fails. The next one gets new workers. */
   close(): void {
     clearTimeout(this.idle);
-    for (const worker of this.workers) this.bury(worker, 'its workers were closed');
+    for (const worker of this.workers) this.discard(worker);
+    this.listener?.onClose();
   }
 
   private bury(worker: number, reason: string): void {
