@@ -2,6 +2,7 @@
 #include "pipeline/model_size.h"
 #include "pipeline/stage.h"
 #include "segment/curvature_pockets.h"
+#include "segment/regroup.h"
 #include "segment/subdivide.h"
 
 namespace foldwright {
@@ -33,7 +34,9 @@ Labels label_component(const JobState& state, Component& component) {
   const Mesh& mesh = state.surface->mesh;
   Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
   if (state.options.segmenter == Segmenter::kShape) {
-    labels = smooth_labels(mesh, component.graph, learned.matrix.size, std::move(labels));
+    const int learned_panels = learned.matrix.size;
+    labels = smooth_labels(mesh, component.graph, learned_panels, std::move(labels));
+    labels = regroup_saddles(mesh, component.graph, learned_panels, std::move(labels));
   }
   component.labels = open_pockets(mesh, component.graph, std::move(labels));
   return on_learned;

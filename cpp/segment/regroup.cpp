@@ -19,10 +19,21 @@ constexpr int kOutside = -1;
 // together with a neighbour.
 constexpr double kBetter = 0.5;
 
+// What makes a part a saddle without a net. Of 284 parts of a bust of 1000 to 20,000 faces 12 are
+// like this, and 11 of them have none; of the others 2 are as far from one.
+constexpr double kSaddleBalance = 1.5;    // negative over positive curvature
+constexpr double kSaddleCurvature = 0.5;  // radians; with less, cuts find ends at the border
+constexpr int kSaddlePanels = 50;
+// Border over the root of the area: cuts through a longer or thinner part end at its border.
+constexpr double kSaddleBorder = 7;
+
 /// Negative and positive curvature inside a part, in radians.
 struct Balance {
   double negative = 0, positive = 0;
 
+  void add(double curvature) {
+    (curvature > 0 ? positive : negative) += std::abs(curvature);
+  }
   double ratio() const {
     return positive > 0 ? negative / positive : std::numeric_limits<double>::infinity();
   }
@@ -75,17 +86,47 @@ Choices choices_of(const Mesh& mesh, const DualGraph& graph, const Labels& label
   for (std::size_t v = 0; v < turns.size(); ++v) {
     if (parts[v].empty() || parts[v].contains(kOutside)) continue;
     const double curvature = 2 * std::numbers::pi - turns[v];
-    const auto add_to = [&](Balance& balance) {
-      (curvature > 0 ? balance.positive : balance.negative) += std::abs(curvature);
-    };
-    if (parts[v] == std::set{part}) add_to(choices.own);
+    if (parts[v] == std::set{part}) choices.own.add(curvature);
     for (auto& [next, joined] : choices.joined) {
       if (std::ranges::includes(std::array{std::min(part, next), std::max(part, next)}, parts[v])) {
-        add_to(joined.inside);
+        joined.inside.add(curvature);
       }
     }
   }
   return choices;
+}
+
+/// What decides whether a part is a saddle.
+struct Shape {
+  Balance inside;
+  int panels = 0;
+  double area = 0, border = 0;
+
+  bool is_saddle() const {
+    return panels > kSaddlePanels && inside.negative > kSaddleCurvature &&
+           inside.ratio() > kSaddleBalance && border < kSaddleBorder * std::sqrt(area);
+  }
+};
+
+std::vector<Shape> shapes_of(const Mesh& mesh, const DualGraph& graph, const Labels& labels) {
+  std::vector<Shape> shapes(part_count(labels));
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    Shape& shape = shapes[labels[panel]];
+    ++shape.panels;
+    shape.area += graph.areas[panel];
+  }
+  for (const Hinge& hinge : graph.hinges) {
+    const auto [a, b] = std::array{labels[hinge.panels[0]], labels[hinge.panels[1]]};
+    if (a == b) continue;
+    for (const int part : {a, b}) shapes[part].border += hinge.length;
+  }
+  const std::vector<double> turns = vertex_turns(mesh, graph.faces);
+  const std::vector<std::set<int>> parts = parts_at_vertices(mesh, graph, labels);
+  for (std::size_t v = 0; v < turns.size(); ++v) {
+    if (parts[v].size() != 1 || parts[v].contains(kOutside)) continue;
+    shapes[*parts[v].begin()].inside.add(2 * std::numbers::pi - turns[v]);
+  }
+  return shapes;
 }
 
 /// Of the neighbours that better the balance well, the one with the longest border: cuts have to
@@ -144,6 +185,24 @@ std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, int 
   split_part(mesh, graph, learned_panels, regrouping.labels, split, part);
   std::ranges::sort(regrouping.changed);
   return regrouping;
+}
+
+Labels regroup_saddles(const Mesh& mesh, const DualGraph& graph, int learned_panels,
+                       Labels labels) {
+  std::set<int> looked_at;
+  while (true) {
+    const std::vector<Shape> shapes = shapes_of(mesh, graph, labels);
+    int saddle = -1;
+    for (int part = 0; part < static_cast<int>(shapes.size()); ++part) {
+      if (looked_at.contains(part) || !shapes[part].is_saddle()) continue;
+      const double curvature = shapes[part].inside.negative;
+      if (saddle == -1 || curvature > shapes[saddle].inside.negative) saddle = part;
+    }
+    if (saddle == -1) return labels;
+    looked_at.insert(saddle);
+    auto regrouping = regroup(mesh, graph, learned_panels, labels, saddle);
+    if (regrouping) labels = std::move(regrouping->labels);
+  }
 }
 
 }  // namespace foldwright
