@@ -25,9 +25,9 @@ constexpr double kMostFar = 40;
 // one piece more at most, while what is joined may not fold.
 constexpr std::size_t kSmall = 50;
 
-// Moves of an exchange for large parts: each takes longer, and what is cured at all is cured within
-// these.
-constexpr std::int64_t kMovesOfLarge = 150'000;
+// Moves of an exchange times panels for large parts: each move takes the longer the larger the part
+// is, and what is cured at all is cured soon.
+constexpr std::int64_t kWorkOfLarge = 150'000'000;
 
 int count_overlaps(const DualGraph& graph, const FoldTree& folds) {
   return static_cast<int>(
@@ -97,7 +97,9 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
       return {part};
     }
     if (!regrouping) {
-      (exchanges_[part] == 0 ? waiting_ : uncured_).insert(part);
+      // What is far from a net and large takes an exchange seconds to no avail.
+      const bool is_large = trees_.at(part).net.region.panels.size() > kLargeRegion;
+      (exchanges_[part] == 0 && !is_large ? waiting_ : uncured_).insert(part);
       continue;
     }
     component.labels = std::move(regrouping->labels);
@@ -126,8 +128,9 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
   const bool for_motion = trees_.at(part).overlaps == 0;
   ExchangeTask task{parts_so_far(state, component, for_motion), {}};
   task.options.part = label;
-  if (trees_.at(part).net.region.panels.size() > kLargeRegion)
-    task.options.most_moves = kMovesOfLarge;
+  if (const std::size_t panels = trees_.at(part).net.region.panels.size(); panels > kLargeRegion) {
+    task.options.most_moves = kWorkOfLarge / static_cast<std::int64_t>(panels);
+  }
   task.options.clearance = for_motion ? state.options.clearance : 0;
   task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
                                 static_cast<std::uint64_t>(exchanges_[part]++));

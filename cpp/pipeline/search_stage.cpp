@@ -21,6 +21,9 @@ constexpr std::uint64_t kPlan = 5;    // and the planning of a motion
 // Temperatures of the attempts in turn: 2 solves nearly all, rare tight regions want less.
 constexpr std::array<double, 4> kTemperatures = {2, 1, 3, 0.5};
 
+// A large region goes on from its best tree, which only a hotter search leaves again.
+constexpr std::array<double, 4> kTemperaturesOfLarge = {2, 3, 2.5, 1};
+
 // What a search under way counts for in the progress, against one that found its net.
 constexpr double kSearchShare = 0.7;
 
@@ -145,11 +148,12 @@ class SearchStage : public Stage {
       return;
     }
     const double clearance = wants_motion(state, search.region) ? state.options.clearance : 0;
-    const double temperature = kTemperatures[search.attempt % kTemperatures.size()];
-    SearchTask task{{.temperature = temperature, .clearance = clearance, .seed = seed},
-                    std::exchange(search.initial, {})};
     // A large region has come too far to begin again.
     const bool is_large = search.region.panels.size() > kLargeRegion;
+    const auto& temperatures = is_large ? kTemperaturesOfLarge : kTemperatures;
+    const double temperature = temperatures[search.attempt % temperatures.size()];
+    SearchTask task{{.temperature = temperature, .clearance = clearance, .seed = seed},
+                    std::exchange(search.initial, {})};
     if (is_large && search.attempt > 0) task.initial = search.best.folds;
     queue_work(state, queue, std::move(search), std::move(task));
   }

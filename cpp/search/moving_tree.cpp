@@ -14,7 +14,9 @@ MovingTree::MovingTree(const DualGraph& graph, std::span<const int> folds)
       mark_(graph.panel_count(), 0) {
   links_.reserve(graph.incident.size());
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    for (const int h : graph.hinges_of(panel)) links_.push_back({h, graph.hinges[h].other(panel)});
+    for (const int h : graph.hinges_of(panel)) {
+      links_.push_back({h, graph.hinges[h].other(panel), false});
+    }
   }
   RootedTree tree = hang_tree(graph, folds);
   for (std::size_t i = tree.order.size(); i-- > 1;) {
@@ -22,7 +24,7 @@ MovingTree::MovingTree(const DualGraph& graph, std::span<const int> folds)
   }
   parent_ = std::move(tree.parent);
   parent_fold_ = std::move(tree.hinge);
-  for (const int h : folds) is_fold_[h] = 1;
+  for (const int h : folds) mark_fold(h, true);
 }
 
 FoldTree MovingTree::folds() const {
@@ -46,6 +48,16 @@ void MovingTree::path(int a, int b, std::vector<int>& folds) {
   std::rotate(folds.begin(), folds.begin() + from_b, folds.end());
 }
 
+void MovingTree::mark_fold(int hinge, bool is_fold) {
+  is_fold_[hinge] = is_fold ? 1 : 0;
+  for (const int panel : graph_->hinges[hinge].panels) {
+    for (Link& link :
+         std::span(links_).subspan(graph_->first_hinge[panel], links_of(panel).size())) {
+      if (link.hinge == hinge) link.is_fold = is_fold;
+    }
+  }
+}
+
 int MovingTree::lower_end(int fold) const {
   const auto& [a, b] = graph_->hinges[fold].panels;
   return parent_fold_[a] == fold ? a : b;
@@ -60,20 +72,20 @@ void MovingTree::select_side(int cut) {
   ++side_;  // a new stamp, so that nothing needs clearing
   selected_.assign(1, start);
   side_stamp_[start] = side_;
+  open_.clear();
   for (std::size_t head = 0; head < selected_.size(); ++head) {
     for (const Link& link : links_of(selected_[head])) {
-      if (!is_fold_[link.hinge] || link.hinge == cut || moves(link.panel)) continue;
-      side_stamp_[link.panel] = side_;
-      selected_.push_back(link.panel);
+      if (!link.is_fold) {
+        open_.push_back(link);
+      } else if (link.hinge != cut && !moves(link.panel)) {
+        side_stamp_[link.panel] = side_;
+        selected_.push_back(link.panel);
+      }
     }
   }
   joins_.clear();
-  for (const int panel : selected_) {
-    for (const Link& link : links_of(panel)) {
-      if (link.hinge != cut && !is_fold_[link.hinge] && !moves(link.panel)) {
-        joins_.push_back(link.hinge);
-      }
-    }
+  for (const Link& link : open_) {
+    if (!moves(link.panel)) joins_.push_back(link.hinge);
   }
 }
 
@@ -88,8 +100,8 @@ void MovingTree::accept(int join) {
   // Parents hang below the cut; where that is not the moved side, the join is seen from there.
   const Hinge& hinge = graph_->hinges[join];
   const int hung = moves(hinge.panels[0]) == moves(below) ? hinge.panels[0] : hinge.panels[1];
-  is_fold_[cut_] = 0;
-  is_fold_[join] = 1;
+  mark_fold(cut_, false);
+  mark_fold(join, true);
   const int size = size_[below];
   add_to_sizes(parent_[below], -size);
   reverse_parents(hung, hinge.other(hung), join, size);

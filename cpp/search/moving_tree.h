@@ -44,12 +44,14 @@ class MovingTree {
   /// A hinge of a panel, and the panel on its other side.
   struct Link {
     int hinge, panel;
+    bool is_fold;
   };
 
   std::span<const Link> links_of(int panel) const {
     const int first = graph_->first_hinge[panel];
     return std::span(links_).subspan(first, graph_->first_hinge[panel + 1] - first);
   }
+  void mark_fold(int hinge, bool is_fold);
   /// The end of a fold that hangs from the other one.
   int lower_end(int fold) const;
   void reverse_parents(int from, int to_parent, int join, int size);
@@ -63,6 +65,7 @@ class MovingTree {
   int cut_ = -1;
   std::vector<int> selected_;
   std::vector<int> joins_;
+  std::vector<Link> open_;  ///< scratch: of the selected side, all that are no folds
   std::vector<std::uint32_t> side_stamp_;
   std::uint32_t side_ = 0;           ///< stamp of the selected side
   std::vector<std::uint32_t> mark_;  ///< per panel, for paths

@@ -31,9 +31,7 @@ constexpr double kSaddleBorder = 7;
 struct Balance {
   double negative = 0, positive = 0;
 
-  void add(double curvature) {
-    (curvature > 0 ? positive : negative) += std::abs(curvature);
-  }
+  void add(double curvature) { (curvature > 0 ? positive : negative) += std::abs(curvature); }
   double ratio() const {
     return positive > 0 ? negative / positive : std::numeric_limits<double>::infinity();
   }

@@ -26,8 +26,8 @@ struct Regrouping {
 std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, int learned_panels,
                                   const Labels& labels, int part);
 
-/// Regroups the parts of which curvature alone tells that they are saddles without a net, so that no
-/// search has to find out: compact parts of some panels with much more negative than positive
+/// Regroups the parts of which curvature alone tells that they are saddles without a net, so that
+/// no search has to find out: compact parts of some panels with much more negative than positive
 /// curvature. Each part is regrouped once at most, the most curved first; what no neighbour betters
 /// stays.
 /// \pre parts are connected

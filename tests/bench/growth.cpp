@@ -1,7 +1,7 @@
 // How time and memory grow with the number of faces: every stage of a job on one detailed model,
 // simplified to each size beforehand, on one thread. `bench_growth [--least FACES] [--most FACES]
-// [--parts K] [--seed N] [--no-folding] [--keep FOLDER]`: 0 parts lets the shape decide; FOLDER
-// gets the simplified models, as FACES.off.
+// [--parts K] [--seed N] [--no-folding] [--no-compaction] [--keep FOLDER]`: 0 parts lets the shape
+// decide; FOLDER gets the simplified models, as FACES.off.
 
 #include <sys/resource.h>
 
@@ -34,6 +34,7 @@ Wishes wishes_of(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view name = argv[i];
     if (name == "--no-folding") wishes.job.folding = FoldingMode::kOff;
+    if (name == "--no-compaction") wishes.job.compaction = false;
     if (i + 1 == argc) continue;
     if (name == "--least") wishes.least = std::atoi(argv[++i]);
     if (name == "--most") wishes.most = std::atoi(argv[++i]);
@@ -74,8 +75,11 @@ void measure(const Mesh& full, int faces, const Wishes& wishes) {
   }
   const testing::TimedJob timed = testing::run_timed(as_bytes(text), "model.off", wishes.job);
   if (!timed.result) return;
+  const auto& pieces = timed.result->pieces;
+  const auto folding = std::count_if(
+      pieces.begin(), pieces.end(), [](const Piece& piece) { return !piece.motion.times.empty(); });
   double total = 0;
-  std::printf("%7d %7zu", mesh.face_count(), timed.result->pieces.size());
+  std::printf("%7d %7zu %7d", mesh.face_count(), pieces.size(), static_cast<int>(folding));
   for (const StageId stage : {StageId::kRead, StageId::kLearn, StageId::kCluster, StageId::kSearch,
                               StageId::kCompact, StageId::kPaper}) {
     const auto it = timed.seconds.find(stage);
@@ -94,8 +98,8 @@ int main(int argc, char** argv) {
   for (const auto& path : testing::files_below(kFolder)) {
     if (path.filename().string().find(kModel) == std::string::npos) continue;
     const Mesh full = testing::load(path).mesh;
-    std::printf("%7s %7s %8s %8s %8s %8s %9s %8s %8s %8s\n", "faces", "pieces", "read s", "learn s",
-                "parts s", "search s", "compact s", "paper s", "all s", "MB");
+    std::printf("%7s %7s %7s %8s %8s %8s %8s %9s %8s %8s %8s\n", "faces", "pieces", "folding",
+                "read s", "learn s", "parts s", "search s", "compact s", "paper s", "all s", "MB");
     for (const int faces : {300, 1000, 3000, 5000, 10000, 20000, 30000, 70000}) {
       if (wishes.least <= faces && faces <= wishes.most) measure(full, faces, wishes);
     }

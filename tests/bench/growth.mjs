@@ -163,7 +163,7 @@ async function run(folder) {
       name: `${size}.off`,
       content: readFileSync(join(folder, `${size}.off`)),
     };
-    const [pieces, ...numbers] = native.get(size) ?? [];
+    const [pieces, , ...numbers] = native.get(size) ?? [];
     printRow(size, 'native', pieces, numbers.slice(0, -1), numbers.at(-1));
     const row = await measure(address, model);
     const memory = row.megabytes.map((mb) => mb.toFixed(0)).join('+');

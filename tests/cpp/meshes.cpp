@@ -278,7 +278,7 @@ Mesh saddle_with_apron(double turn, int quads) {
   return make_mesh(std::move(positions), std::move(faces));
 }
 
-Mesh dumbbell() {
+Mesh dumbbell(int around) {
   constexpr int kRings = 7;  // of one sphere, up to the neck
   std::vector<Vec2> profile;
   for (int ring = 1; ring <= kRings; ++ring) {
@@ -288,7 +288,7 @@ Mesh dumbbell() {
   for (int ring = kRings - 1; ring >= 0; --ring) {
     profile.emplace_back(profile[ring].x(), -profile[ring].y());
   }
-  return revolved(profile, -2.2, 2.2, 12);
+  return revolved(profile, -2.2, 2.2, around);
 }
 
 Mesh bumpy_sphere(int faces) {

@@ -52,8 +52,8 @@ Mesh saddle(int faces, double turn);
 /// \pre 1 <= quads <= 7, turn > 2 pi
 Mesh saddle_with_apron(double turn, int quads);
 
-/// Two unit spheres joined by a thin neck: closed, 336 triangles.
-Mesh dumbbell();
+/// Two unit spheres joined by a thin neck, with so many points around: closed, 28 triangles each.
+Mesh dumbbell(int around = 12);
 
 /// Sphere with gentle hills, about `faces` triangles: closed, not convex. \pre faces >= 24
 Mesh bumpy_sphere(int faces);

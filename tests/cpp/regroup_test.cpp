@@ -72,5 +72,23 @@ TEST(Regroup, NeedsAnotherPartToSplit) {
   EXPECT_FALSE(regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 1));
 }
 
+TEST(RegroupSaddles, DissolvesACompactSaddleBeforeAnySearch) {
+  const Unfoldable dumbbell = unfoldable(foldwright::testing::dumbbell(24));
+  // Up to where the bulbs begin to bulge.
+  const Labels labels = neck_between_bulbs(dumbbell, -0.4, 0.4);
+  const auto regrouping = regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 1);
+  ASSERT_TRUE(regrouping);
+  EXPECT_EQ(regroup_saddles(dumbbell.mesh, dumbbell.graph, 300, labels), regrouping->labels);
+}
+
+TEST(RegroupSaddles, LeavesBulgesAndThinRings) {
+  const Unfoldable dumbbell = unfoldable(foldwright::testing::dumbbell());
+  Labels halves = neck_between_bulbs(dumbbell, 0, 0);
+  for (int& label : halves) label = std::min(label, 1);
+  EXPECT_EQ(regroup_saddles(dumbbell.mesh, dumbbell.graph, 300, halves), halves);
+  const Labels ring = neck_between_bulbs(dumbbell, -0.1, 0.1);
+  EXPECT_EQ(regroup_saddles(dumbbell.mesh, dumbbell.graph, 300, ring), ring);
+}
+
 }  // namespace
 }  // namespace foldwright::testing
