@@ -51,9 +51,8 @@ void MovingTree::path(int a, int b, std::vector<int>& folds) {
 void MovingTree::mark_fold(int hinge, bool is_fold) {
   is_fold_[hinge] = is_fold ? 1 : 0;
   for (const int panel : graph_->hinges[hinge].panels) {
-    for (Link& link :
-         std::span(links_).subspan(graph_->first_hinge[panel], links_of(panel).size())) {
-      if (link.hinge == hinge) link.is_fold = is_fold;
+    for (int i = graph_->first_hinge[panel]; i < graph_->first_hinge[panel + 1]; ++i) {
+      if (links_[i].hinge == hinge) links_[i].is_fold = is_fold;
     }
   }
 }

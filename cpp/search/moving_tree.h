@@ -44,7 +44,7 @@ class MovingTree {
   /// A hinge of a panel, and the panel on its other side.
   struct Link {
     int hinge, panel;
-    bool is_fold;
+    bool is_fold;  ///< as `is_fold_` says, closer to hand
   };
 
   std::span<const Link> links_of(int panel) const {
