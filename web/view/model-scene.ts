@@ -15,6 +15,7 @@ import { ModelMesh } from './model-mesh.js';
 import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
 import { Orbit, viewHeight } from './orbit.js';
 import { Redraw } from './redraw.js';
+import { drawsInSoftware } from './webgl.js';
 
 /** Radians per second of the slow turn, and ms between two of its steps. */
 const turnSpeed = 0.25;
@@ -36,6 +37,8 @@ export class ModelScene {
   private wantedTime = 1;
   private visible = false;
   private turning = false;
+  /** Turning all the time without a graphics card would make a run a fifth longer. */
+  private readonly turnsAlone: boolean;
   private lastTurn = -Infinity;
 
   /**
@@ -47,6 +50,7 @@ export class ModelScene {
     context: WebGL2RenderingContext,
     private readonly answer: (answer: ModelAnswer) => void,
   ) {
+    this.turnsAlone = !drawsInSoftware(context);
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.setClearAlpha(0);
     const sun = new DirectionalLight('#fff6e6', 2.1);
@@ -78,7 +82,7 @@ export class ModelScene {
         this.mesh.hatched = message.hatched;
         break;
       case 'turning':
-        this.turnAlone(message.turning);
+        this.turnAlone(message.turning && this.turnsAlone);
         break;
       case 'turn':
         this.turning = false;

@@ -5,3 +5,11 @@ export function startWebGl(
   const options: WebGLContextAttributes = { alpha: true, antialias: true };
   return canvas.getContext('webgl2', options) as WebGL2RenderingContext | null;
 }
+
+/** Whether software stands in for a graphics card, and so takes its time from whatever else runs. */
+export function drawsInSoftware(context: WebGL2RenderingContext): boolean {
+  // Browsers that keep the name to themselves are taken to have a card.
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? String(context.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
