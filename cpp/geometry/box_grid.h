@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -19,18 +18,32 @@ class BoxGrid {
   BoxGrid(int capacity, double cell)
       : per_cell_(1 / cell),
         mask_(std::bit_ceil(static_cast<std::size_t>(4 * capacity)) - 1),
-        buckets_(mask_ + 1) {}
-
-  void insert(int item, const Box<N>& box) {
-    for_lists(box, [item](std::vector<int>& list) { list.push_back(item); });
+        buckets_(mask_ + 1, kEnd) {
+    entries_.reserve(8 * static_cast<std::size_t>(capacity));
   }
 
+  void insert(int item, const Box<N>& box) {
+    for_lists(box, [&](int& head) {
+      if (free_ == kEnd) {
+        free_ = static_cast<int>(entries_.size());
+        entries_.push_back({item, kEnd});
+      }
+      const int entry = free_;
+      free_ = entries_[entry].next;
+      entries_[entry] = {item, head};
+      head = entry;
+    });
+  }
+
+  /// \pre it was inserted with this box
   void remove(int item, const Box<N>& box) {
-    for_lists(box, [item](std::vector<int>& list) {
-      const auto at = std::find(list.begin(), list.end(), item);
-      assert(at != list.end());
-      *at = list.back();
-      list.pop_back();
+    for_lists(box, [&](int& head) {
+      int* link = &head;
+      while (entries_[*link].item != item) link = &entries_[*link].next;
+      const int entry = *link;
+      *link = entries_[entry].next;
+      entries_[entry].next = free_;
+      free_ = entry;
     });
   }
 
@@ -38,15 +51,14 @@ class BoxGrid {
   /// it returns false.
   template <class Visit>
   void visit(const Box<N>& box, Visit&& visit) const {
-    for (const int item : large_) {
-      if (!visit(item)) return;
-    }
-    for_cells(cells_of(box), [&](const Cell& cell) {
-      for (const int item : buckets_[bucket(cell)]) {
-        if (!visit(item)) return false;
+    const auto visit_list = [&](int entry) {
+      for (; entry != kEnd; entry = entries_[entry].next) {
+        if (!visit(entries_[entry].item)) return false;
       }
       return true;
-    });
+    };
+    if (!visit_list(large_)) return;
+    for_cells(cells_of(box), [&](const Cell& cell) { return visit_list(buckets_[bucket(cell)]); });
   }
 
  private:
@@ -54,6 +66,12 @@ class BoxGrid {
   struct Range {
     Cell first, last;
   };
+
+  /// An item of a list. The lists share one array, which keeps them close together in memory.
+  struct Entry {
+    int item, next;
+  };
+  static constexpr int kEnd = -1;
 
   // An item over more cells than this goes to the list that every query reads.
   static constexpr std::int64_t kMostCells = 64;
@@ -88,7 +106,7 @@ class BoxGrid {
     }
   }
 
-  /// Calls `change(list)` for every list that an item with this box is in.
+  /// Calls `change(head)` for every list that an item with this box is in.
   template <class Change>
   void for_lists(const Box<N>& box, Change&& change) {
     const Range range = cells_of(box);
@@ -113,8 +131,10 @@ class BoxGrid {
 
   double per_cell_;
   std::size_t mask_;
-  std::vector<std::vector<int>> buckets_;
-  std::vector<int> large_;  ///< items over so many cells that listing them in all would not pay
+  std::vector<int> buckets_;  ///< heads of lists
+  std::vector<Entry> entries_;
+  int free_ = kEnd;   ///< head of the list of entries that hold nothing
+  int large_ = kEnd;  ///< items over so many cells that listing them in all would not pay
 };
 
 }  // namespace foldwright

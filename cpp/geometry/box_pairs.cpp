@@ -1,79 +1,96 @@
 #include "geometry/box_pairs.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace foldwright {
 namespace {
 
-/// Dense grid over the union of the boxes.
+// Width of a column in mean boxes: narrow ones hold many boxes twice, wide ones compare many that
+// are far from each other.
+constexpr double kColumnWidth = 4;
+
+/// Columns along one axis, the longest: their places across it.
 template <int N>
-struct Grid {
-  using Cell = std::array<int, N>;
-
-  std::array<double, N> min;
-  double per_cell;
-  Cell size;
-
-  Cell at(const std::array<double, N>& p) const {
-    Cell cell;
-    for (int i = 0; i < N; ++i) {
-      cell[i] = std::clamp(static_cast<int>((p[i] - min[i]) * per_cell), 0, size[i] - 1);
+class Columns {
+ public:
+  explicit Columns(std::span<const Box<N>> boxes) {
+    Box<N> all = boxes[0];
+    for (const Box<N>& box : boxes) all = all.joined(box);
+    std::array<double, N> mean{};
+    for (const Box<N>& box : boxes) {
+      for (int i = 0; i < N; ++i) mean[i] += box.max[i] - box.min[i];
     }
-    return cell;
+    for (double& size : mean) size = std::max(size / static_cast<double>(boxes.size()), 1e-300);
+    const auto length = [&](int axis) { return (all.max[axis] - all.min[axis]) / mean[axis]; };
+    for (int axis = 1; axis < N; ++axis) {
+      if (length(axis) > length(along_)) along_ = axis;
+    }
+    for (int axis = 0, i = 0; axis < N; ++axis) {
+      if (axis == along_) continue;
+      // No more columns in each direction than leave some boxes to each.
+      const double most = std::max(1.0, std::sqrt(static_cast<double>(boxes.size())) / 4);
+      const double count = std::clamp(length(axis) / kColumnWidth, 1.0, most);
+      across_[i] = axis;
+      count_[i] = static_cast<int>(count);
+      first_[i] = all.min[axis];
+      per_column_[i] = count_[i] / std::max(all.max[axis] - all.min[axis], 1e-300);
+      ++i;
+    }
   }
-  int index(const Cell& cell) const {
-    int index = cell[N - 1];
-    for (int i = N - 2; i >= 0; --i) index = index * size[i] + cell[i];
-    return index;
+
+  int along() const { return along_; }
+  int across(int i) const { return across_[i]; }
+  int count() const {
+    return std::accumulate(count_.begin(), count_.end(), 1, std::multiplies<>());
   }
-  int cell_count() const {
-    int count = 1;
-    for (const int n : size) count *= n;
-    return count;
-  }
-  /// Calls `visit(index)` for every cell that the box covers.
+  /// The column where a point is.
+  int at(const std::array<double, N>& p) const { return index(place(p)); }
+  /// Calls `visit(column)` for every column that the box reaches into.
   template <class Visit>
-  void for_cells(const Box<N>& box, Visit&& visit) const {
-    const Cell first = at(box.min);
-    const Cell last = at(box.max);
-    for (Cell cell = first; cell[N - 1] <= last[N - 1];) {
-      visit(index(cell));
-      int i = 0;
-      while (i < N - 1 && cell[i] == last[i]) {
-        cell[i] = first[i];
-        ++i;
+  void for_columns(const Box<N>& box, Visit&& visit) const {
+    const Place first = place(box.min);
+    const Place last = place(box.max);
+    if constexpr (N == 2) {
+      for (int a = first[0]; a <= last[0]; ++a) visit(a);
+    } else {
+      for (int b = first[1]; b <= last[1]; ++b) {
+        for (int a = first[0]; a <= last[0]; ++a) visit(index({a, b}));
       }
-      ++cell[i];
     }
   }
+
+ private:
+  using Place = std::array<int, N - 1>;
+
+  Place place(const std::array<double, N>& p) const {
+    Place place;
+    for (int i = 0; i < N - 1; ++i) {
+      const double at = (p[across_[i]] - first_[i]) * per_column_[i];
+      place[i] = std::clamp(static_cast<int>(at), 0, count_[i] - 1);
+    }
+    return place;
+  }
+  int index(const Place& place) const {
+    if constexpr (N == 2) {
+      return place[0];
+    } else {
+      return place[1] * count_[0] + place[0];
+    }
+  }
+
+  int along_ = 0;
+  std::array<int, N - 1> across_, count_;
+  std::array<double, N - 1> first_, per_column_;
 };
 
+/// A box in a column.
 template <int N>
-Grid<N> make_grid(std::span<const Box<N>> boxes) {
-  Box<N> all = boxes[0];
-  double sum = 0;
-  for (const Box<N>& box : boxes) {
-    for (int i = 0; i < N; ++i) {
-      all.min[i] = std::min(all.min[i], box.min[i]);
-      all.max[i] = std::max(all.max[i], box.max[i]);
-      sum += box.max[i] - box.min[i];
-    }
-  }
-  // Cells of the mean box size; larger when a sprawling layout would need more than 16 a box.
-  const auto n = static_cast<double>(boxes.size());
-  const auto cells = [&](double cell) {
-    double count = 1;
-    for (int i = 0; i < N; ++i) count *= (all.max[i] - all.min[i]) / cell + 1;
-    return count;
-  };
-  double cell = std::max(sum / (N * n), 1e-300);
-  while (cells(cell) > 16 * n + 16) cell *= 2;
-  Grid<N> grid{all.min, 1 / cell, {}};
-  for (int i = 0; i < N; ++i) {
-    grid.size[i] = static_cast<int>((all.max[i] - all.min[i]) / cell) + 1;
-  }
-  return grid;
-}
+struct Member {
+  double from, to;  ///< along the column
+  Box<N - 1> across;
+  int box;
+};
 
 }  // namespace
 
@@ -81,29 +98,48 @@ template <int N>
 std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
   std::vector<std::array<int, 2>> pairs;
   if (boxes.empty()) return pairs;
-  const Grid<N> grid = make_grid(boxes);
-  const int n = static_cast<int>(boxes.size());
+  const Columns<N> columns(boxes);
+  const int along = columns.along();
 
-  // Counting sort of the boxes into the cells they cover.
-  std::vector<int> first(static_cast<std::size_t>(grid.cell_count()) + 1, 0);
-  for (const Box<N>& box : boxes) grid.for_cells(box, [&](int cell) { ++first[cell + 1]; });
-  for (std::size_t cell = 1; cell < first.size(); ++cell) first[cell] += first[cell - 1];
-  std::vector<int> members(first.back());
+  std::vector<std::pair<double, int>> order;
+  order.reserve(boxes.size());
+  for (const Box<N>& box : boxes)
+    order.emplace_back(box.min[along], static_cast<int>(order.size()));
+  std::sort(order.begin(), order.end());
+
+  // Counting sort of the boxes into the columns, where they stay in that order.
+  std::vector<int> first(static_cast<std::size_t>(columns.count()) + 1, 0);
+  for (const Box<N>& box : boxes) columns.for_columns(box, [&](int c) { ++first[c + 1]; });
+  for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+  std::vector<Member<N>> members(first.back());
   std::vector<int> next(first.begin(), first.end() - 1);
-  for (int i = 0; i < n; ++i) {
-    grid.for_cells(boxes[i], [&](int cell) { members[next[cell]++] = i; });
+  for (const auto& [from, i] : order) {
+    const Box<N>& box = boxes[i];
+    Member<N> member{from, box.max[along], {}, i};
+    for (int k = 0; k < N - 1; ++k) {
+      member.across.min[k] = box.min[columns.across(k)];
+      member.across.max[k] = box.max[columns.across(k)];
+    }
+    columns.for_columns(box, [&](int c) { members[next[c]++] = member; });
   }
 
-  for (int cell = 0; cell + 1 < static_cast<int>(first.size()); ++cell) {
-    for (int p = first[cell]; p < first[cell + 1]; ++p) {
-      const Box<N>& a = boxes[members[p]];
-      for (int q = p + 1; q < first[cell + 1]; ++q) {
-        const Box<N>& b = boxes[members[q]];
-        if (!a.meets(b)) continue;
-        // Boxes share several cells; the pair counts in that of their intersection's lower corner.
-        std::array<double, N> corner;
-        for (int i = 0; i < N; ++i) corner[i] = std::max(a.min[i], b.min[i]);
-        if (grid.index(grid.at(corner)) == cell) pairs.push_back({members[p], members[q]});
+  for (int column = 0; column < columns.count(); ++column) {
+    const Member<N>* const end = members.data() + first[column + 1];
+    for (const Member<N>* a = members.data() + first[column]; a != end; ++a) {
+      for (const Member<N>* b = a + 1; b != end && b->from < a->to; ++b) {
+        bool meet = a->from < b->to;
+        for (int k = 0; k < N - 1; ++k) {
+          meet &= (a->across.min[k] < b->across.max[k]) & (b->across.min[k] < a->across.max[k]);
+        }
+        if (!meet) continue;
+        // Boxes share several columns; the pair counts in that of their intersection's lower
+        // corner.
+        std::array<double, N> corner{};
+        for (int k = 0; k < N - 1; ++k) {
+          corner[columns.across(k)] = std::max(a->across.min[k], b->across.min[k]);
+        }
+        if (columns.at(corner) != column) continue;
+        pairs.push_back({std::min(a->box, b->box), std::max(a->box, b->box)});
       }
     }
   }

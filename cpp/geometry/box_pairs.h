@@ -11,9 +11,9 @@ namespace foldwright {
 /// All pairs (i, j), i < j, of boxes whose interiors meet, each once, in a fixed order; in two or
 /// three dimensions.
 ///
-/// A uniform grid with cells of about the mean box; near-linear for boxes of similar size, and
-/// never worse than the number of cells the boxes cover, which is bounded by a constant times n
-/// for boxes in a layout of n faces.
+/// Sweeps along the longest axis, in columns of some boxes' width: what is compared lies side by
+/// side in memory. n log n for boxes of similar size that lie spread out; at worst, where all lie
+/// at the same place along that axis, quadratic in those of a column.
 template <int N>
 std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes);
 

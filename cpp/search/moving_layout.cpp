@@ -62,6 +62,7 @@ int MovingLayout::try_join(int join, double limit) {
 
 int MovingLayout::try_flat(int join, double limit) {
   tried_ = join;
+  tree_.list_from(join);
   return flat_.try_join(tree_, join, limit);
 }
 

@@ -111,14 +111,14 @@ int MovingPlaces<Space>::crossing(const MovingTree& tree) const {
 }
 
 template <class Space>
-int MovingPlaces<Space>::try_join(const MovingTree& tree, int join, double limit) {
+int MovingPlaces<Space>::try_join(MovingTree& tree, int join, double limit) {
   const auto [hung, onto] = tree.ends(join);
   trial_.hung = hung;
   trial_.onto = onto;
   trial_.motion = places_[onto] * space_.beside(join, hung) * places_[hung].inverse();
   trial_.collisions.clear();
-  for (const int panel : tree.selected()) {
-    if (!count_panel(tree, panel, limit)) break;
+  for (std::size_t i = 0; i < tree.selected().size(); ++i) {
+    if (!count_panel(tree, tree.listed(i), limit)) break;
   }
   return static_cast<int>(trial_.collisions.size());
 }

@@ -85,7 +85,8 @@ class MovingPlaces {
   int crossing(const MovingTree& tree) const;
   /// Collisions between the sides if the selected one were hung at `join`; stops counting above
   /// `limit` and then returns more than it.
-  int try_join(const MovingTree& tree, int join, double limit);
+  /// \pre `tree` lists the selected side from there
+  int try_join(MovingTree& tree, int join, double limit);
   /// Moves the selected side as tried last, before the tree itself accepts.
   /// \pre the count of that trial was completed
   void accept(const MovingTree& tree);

@@ -88,6 +88,23 @@ void MovingTree::select_side(int cut) {
   }
 }
 
+void MovingTree::list_from(int join) {
+  list_.assign(1, {ends(join).hung, -1});
+  spread_ = 0;
+}
+
+int MovingTree::listed(std::size_t i) {
+  while (i >= list_.size()) {
+    const auto [panel, from] = list_[spread_++];
+    for (const Link& link : links_of(panel)) {
+      if (link.is_fold && link.hinge != cut_ && link.panel != from) {
+        list_.push_back({link.panel, panel});
+      }
+    }
+  }
+  return list_[i].panel;
+}
+
 MovingTree::Ends MovingTree::ends(int join) const {
   const Hinge& hinge = graph_->hinges[join];
   const int hung = moves(hinge.panels[0]) ? hinge.panels[0] : hinge.panels[1];

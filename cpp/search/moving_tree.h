@@ -31,6 +31,12 @@ class MovingTree {
   /// Hinges that could replace the cut: all others between the two sides.
   std::span<const int> joins() const { return joins_; }
 
+  /// Begins to list the side that moves from the end of `join` on.
+  void list_from(int join);
+  /// The side that moves in the order of that list: what hangs near the join comes first, as it is
+  /// likeliest to meet the other side. \pre i < selected().size(), and ascends by at most 1
+  int listed(std::size_t i);
+
   /// The two ends of a join: the panel that moves, and the one it is hung onto.
   struct Ends {
     int hung, onto;
@@ -65,7 +71,13 @@ class MovingTree {
   int cut_ = -1;
   std::vector<int> selected_;
   std::vector<int> joins_;
-  std::vector<Link> open_;  ///< scratch: of the selected side, all that are no folds
+  /// A panel of the list, and the one that it was reached from.
+  struct Listed {
+    int panel, from;
+  };
+  std::vector<Listed> list_;  ///< as far as it was asked for
+  std::size_t spread_ = 0;    ///< how many of the list have their neighbours in it
+  std::vector<Link> open_;    ///< scratch: of the selected side, all that are no folds
   std::vector<std::uint32_t> side_stamp_;
   std::uint32_t side_ = 0;           ///< stamp of the selected side
   std::vector<std::uint32_t> mark_;  ///< per panel, for paths
