@@ -33,9 +33,10 @@ Labels label_component(const JobState& state, Component& component) {
   Labels on_learned = label_learned(state, component);
   const Mesh& mesh = state.surface->mesh;
   Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
-  if (state.options.segmenter == Segmenter::kShape) {
-    const int learned_panels = learned.matrix.size;
-    labels = smooth_labels(mesh, component.graph, learned_panels, std::move(labels));
+  const Segmenter segmenter = state.options.segmenter;
+  const int learned_panels = learned.matrix.size;
+  labels = smooth_labels(mesh, component.graph, segmenter, learned_panels, std::move(labels));
+  if (segmenter == Segmenter::kShape) {
     labels = regroup_saddles(mesh, component.graph, learned_panels, std::move(labels));
   }
   component.labels = open_pockets(mesh, component.graph, std::move(labels));

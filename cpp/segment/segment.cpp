@@ -142,10 +142,12 @@ Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFolda
   return renumbered(carried);
 }
 
-Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panels, Labels labels) {
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Segmenter segmenter,
+                     int learned_panels, Labels labels) {
   const double area = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
-  return smooth_borders(mesh, graph, std::move(labels),
-                        {.reach = kBorderReach * std::sqrt(area / learned_panels)});
+  BorderCost cost{.reach = kBorderReach * std::sqrt(area / learned_panels)};
+  if (segmenter == Segmenter::kFoldability) cost.crease = 0;
+  return smooth_borders(mesh, graph, std::move(labels), cost);
 }
 
 Labels halve(const Mesh& mesh, const DualGraph& graph) {

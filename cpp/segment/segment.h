@@ -32,9 +32,11 @@ Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,
                     const Labels& labels);
 
-/// Makes the borders of carried labels short and crease-following, within what learning on
-/// `learned_panels` panels leaves open: see `smooth_borders`. \pre parts are connected
-Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, int learned_panels, Labels labels);
+/// Makes the borders of carried labels short, within what learning on `learned_panels` panels
+/// leaves open: see `smooth_borders`. With the shape as a cue they follow creases, too.
+/// \pre parts are connected
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Segmenter segmenter,
+                     int learned_panels, Labels labels);
 
 /// Halves a connected graph: what is nearer to one of two panels far apart than to the other. Both
 /// halves are connected. \pre at least two panels

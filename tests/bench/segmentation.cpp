@@ -66,7 +66,9 @@ Segmentation segmentation(const JobState& state, Segmenter segmenter, bool smoot
       own = carry_labels(mesh, component.graph, {learned.matrix, learned.rows},
                          segment(learned.surface->mesh, graph, learned.matrix,
                                  {segmenter, component.parts, state.options.seed}));
-      if (smooth) own = smooth_labels(mesh, component.graph, learned.matrix.size, std::move(own));
+      if (smooth) {
+        own = smooth_labels(mesh, component.graph, segmenter, learned.matrix.size, std::move(own));
+      }
       borders.add(component.graph, own, std::sqrt(area));
       symmetry.add(mesh, component, own);
     }
@@ -124,8 +126,7 @@ int main(int argc, char** argv) {
     };
     const auto segmented = [&](Column column, const JobState& state, Segmenter segmenter,
                                Borders& borders) {
-      add(column, segmentation(state, segmenter, column != kUnsmoothed && column != kPaperOnly,
-                               faces, borders, symmetry[column]));
+      add(column, segmentation(state, segmenter, column != kUnsmoothed, faces, borders, symmetry[column]));
     };
     segmented(kWithNumber, with_number, Segmenter::kShape, smooth);
     segmented(kUnsmoothed, with_number, Segmenter::kShape, rough);

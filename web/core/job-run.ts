@@ -9,8 +9,11 @@ export interface RunListener {
   onDeath(reason: string): void;
 }
 
-/** How long workers may take to answer when a run ends, unless said otherwise. In ms. */
-export const defaultPatience = 100;
+/**
+ * How long workers may take to answer when a run ends, unless said otherwise. In ms: less than the
+ * 100 that people take for at once, which the page needs some of.
+ */
+export const defaultPatience = 80;
 
 /**
  * One job on its way through the workers of a pool, as the main thread sees it: passes messages on
