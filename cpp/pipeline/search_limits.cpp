@@ -1,5 +1,9 @@
 #include "pipeline/search_limits.h"
 
+#include <algorithm>
+
+#include "search/tree_search.h"
+
 namespace foldwright {
 namespace {
 
@@ -11,6 +15,12 @@ constexpr int kAttemptsOfWhole = 12;
 // The same of a large region that has a net: two more attempts at one that folds straight take half
 // the time again, and cure one part in 120.
 constexpr int kAttemptsOfLarge = 1;
+
+// Swaps without a new best, per panel, before a search gives up, where that is more than the least.
+// With the least alone, 20,000 faces in 12 parts take a sixth less time and come to one piece more,
+// 70,000 faces a third of the time and to 75 pieces instead of 30.
+constexpr std::int64_t kPatiencePerPanel = 20;
+constexpr std::int64_t kLeastPatience = TreeSearchOptions{}.patience;
 
 // An evolution and three restarts, as the paper's authors set it. What evolution does not solve is
 // split, as published: border exchange belongs to the tree search.
@@ -51,6 +61,11 @@ int attempts_for(const JobState& state, const Region& region, bool has_net) {
   if (state.options.solver == Solver::kGenetic) return kEvolutions;
   if (has_net && is_too_large_to_plan(state, region)) return kAttemptsOfLarge;
   return is_component(state, region) && !has_net ? kAttemptsOfWhole : kAttemptsOfPart;
+}
+
+std::int64_t patience_for(const Region& region) {
+  return std::max(kLeastPatience,
+                  kPatiencePerPanel * static_cast<std::int64_t>(region.panels.size()));
 }
 
 bool is_hopeless(const JobState& state, const Region& region, const Candidate& best) {

@@ -30,6 +30,9 @@ bool is_too_large_to_plan(const JobState& state, const Region& region);
 /// one is planned a motion for sooner than searched anew.
 int attempts_for(const JobState& state, const Region& region, bool has_net);
 
+/// Swaps without a new best before a search of the region gives up.
+std::int64_t patience_for(const Region& region);
+
 /// Other seeds are no use to a region far from a net, unless there is nothing else.
 bool is_hopeless(const JobState& state, const Region& region, const Candidate& best);
 

@@ -152,7 +152,10 @@ class SearchStage : public Stage {
     const bool is_large = search.region.panels.size() > kLargeRegion;
     const auto& temperatures = is_large ? kTemperaturesOfLarge : kTemperatures;
     const double temperature = temperatures[search.attempt % temperatures.size()];
-    SearchTask task{{.temperature = temperature, .clearance = clearance, .seed = seed},
+    SearchTask task{{.temperature = temperature,
+                     .patience = patience_for(search.region),
+                     .clearance = clearance,
+                     .seed = seed},
                     std::exchange(search.initial, {})};
     if (is_large && search.attempt > 0) task.initial = search.best.folds;
     queue_work(state, queue, std::move(search), std::move(task));

@@ -162,7 +162,8 @@ void split_part(const Mesh& mesh, const DualGraph& graph, int learned_panels, La
   }
   const DualGraph of_part = restrict_to(graph, panels);
   const int learned_on = std::max(1, static_cast<int>(learned_panels * area / all));
-  const Labels halves = smooth_labels(mesh, of_part, Segmenter::kShape, learned_on, halve(mesh, of_part));
+  const Labels halves =
+      smooth_labels(mesh, of_part, Segmenter::kShape, learned_on, halve(mesh, of_part));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (halves[i] == 1) labels[panels[i]] = second;
   }

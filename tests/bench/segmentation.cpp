@@ -126,7 +126,8 @@ int main(int argc, char** argv) {
     };
     const auto segmented = [&](Column column, const JobState& state, Segmenter segmenter,
                                Borders& borders) {
-      add(column, segmentation(state, segmenter, column != kUnsmoothed, faces, borders, symmetry[column]));
+      add(column,
+          segmentation(state, segmenter, column != kUnsmoothed, faces, borders, symmetry[column]));
     };
     segmented(kWithNumber, with_number, Segmenter::kShape, smooth);
     segmented(kUnsmoothed, with_number, Segmenter::kShape, rough);
