@@ -1,6 +1,8 @@
 #include "geometry/box_pairs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace foldwright {
@@ -10,10 +12,11 @@ namespace {
 // are far from each other.
 constexpr double kColumnWidth = 4;
 
-/// Columns along one axis, the longest: their places across it.
+/// Divides the space of some boxes into columns along its longest axis, counted in mean boxes.
 template <int N>
 class Columns {
  public:
+  /// \pre there are boxes
   explicit Columns(std::span<const Box<N>> boxes) {
     Box<N> all = boxes[0];
     for (const Box<N>& box : boxes) all = all.joined(box);
@@ -28,7 +31,7 @@ class Columns {
     }
     for (int axis = 0, i = 0; axis < N; ++axis) {
       if (axis == along_) continue;
-      // No more columns in each direction than leave some boxes to each.
+      // No more than leave 16 boxes or more to each on average, however far a few of them lie.
       const double most = std::max(1.0, std::sqrt(static_cast<double>(boxes.size())) / 4);
       const double count = std::clamp(length(axis) / kColumnWidth, 1.0, most);
       across_[i] = axis;
@@ -40,6 +43,7 @@ class Columns {
   }
 
   int along() const { return along_; }
+  /// The other axes.
   int across(int i) const { return across_[i]; }
   int count() const {
     return std::accumulate(count_.begin(), count_.end(), 1, std::multiplies<>());
