@@ -84,5 +84,19 @@ TEST(SmoothBorders, KeepEveryPartConnected) {
   }
 }
 
+TEST(SmoothLabels, OnlyShortensBordersWhereTheShapeIsNoCue) {
+  for (const Mesh& mesh : {star(), torus(12, 8), dumbbell()}) {
+    const Unfoldable surface = unfoldable(mesh);
+    const int panels = surface.graph.panel_count();
+    const Labels before =
+        segment(surface.mesh, surface.graph, learn(surface, 50), {Segmenter::kFoldability, 5});
+    const Labels after =
+        smooth_labels(surface.mesh, surface.graph, Segmenter::kFoldability, panels, before);
+    EXPECT_EQ(part_count(after), part_count(before));
+    EXPECT_EQ(fault_of_parts(surface.graph, after), "");
+    EXPECT_LE(border_length(surface.graph, after), border_length(surface.graph, before) + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace foldwright::testing
