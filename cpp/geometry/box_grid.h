@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -39,7 +40,10 @@ class BoxGrid {
   void remove(int item, const Box<N>& box) {
     for_lists(box, [&](int& head) {
       int* link = &head;
-      while (entries_[*link].item != item) link = &entries_[*link].next;
+      for (;; link = &entries_[*link].next) {
+        assert(*link != kEnd);
+        if (entries_[*link].item == item) break;
+      }
       const int entry = *link;
       *link = entries_[entry].next;
       entries_[entry].next = free_;

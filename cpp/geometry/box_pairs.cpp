@@ -107,8 +107,9 @@ std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
 
   std::vector<std::pair<double, int>> order;
   order.reserve(boxes.size());
-  for (const Box<N>& box : boxes)
+  for (const Box<N>& box : boxes) {
     order.emplace_back(box.min[along], static_cast<int>(order.size()));
+  }
   std::sort(order.begin(), order.end());
 
   // Counting sort of the boxes into the columns, where they stay in that order.
@@ -131,15 +132,8 @@ std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
     const Member<N>* const end = members.data() + first[column + 1];
     for (const Member<N>* a = members.data() + first[column]; a != end; ++a) {
       for (const Member<N>* b = a + 1; b != end && b->from < a->to; ++b) {
-        // Counted instead of branched on, which nobody could predict.
-        int apart = a->from >= b->to;
-        for (int k = 0; k < N - 1; ++k) {
-          apart += a->across.min[k] >= b->across.max[k];
-          apart += b->across.min[k] >= a->across.max[k];
-        }
-        if (apart > 0) continue;
-        // Boxes share several columns; the pair counts in that of their intersection's lower
-        // corner.
+        if (a->from >= b->to || !a->across.meets(b->across)) continue;
+        // Boxes may share columns; the pair counts in that of their intersection's lower corner.
         std::array<double, N> corner{};
         for (int k = 0; k < N - 1; ++k) {
           corner[columns.across(k)] = std::max(a->across.min[k], b->across.min[k]);

@@ -34,7 +34,7 @@ class MovingTree {
   /// Begins to list the side that moves from the end of `join` on.
   void list_from(int join);
   /// The side that moves in the order of that list: what hangs near the join comes first, as it is
-  /// likeliest to meet the other side. \pre i < selected().size(), and ascends by at most 1
+  /// likeliest to meet the other side. \pre i < selected().size()
   int listed(std::size_t i);
 
   /// The two ends of a join: the panel that moves, and the one it is hung onto.
