@@ -53,7 +53,7 @@ class JobHandle {
       job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options),
                    std::move(from));
     } catch (const std::bad_alloc&) {
-      failure_ = {"out-of-memory", "the model needs more memory than there is"};
+      failure_ = {"out-of-memory", "there is not enough memory for the file of the model"};
     } catch (const std::exception& error) {
       failure_ = {"bad-option", error.what()};
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -51,10 +52,10 @@ struct Item {
   double reach = 0;  ///< longer side of the smallest box
 };
 
-std::vector<Turn> chosen_turns(std::span<const Vec2> hull, const Extent& room) {
+std::vector<Turn> chosen_turns(std::span<const Turn> turns, const Extent& room) {
   std::vector<Turn> fitting;
-  for (const Turn& turn : upright_turns(hull)) {
-    if (fits(turn, room)) fitting.push_back(turn);
+  for (const Turn& turn : turns) {
+    if (fits(turn.box, room)) fitting.push_back(turn);
   }
   std::vector<Turn> by_area = fitting;
   std::ranges::stable_sort(by_area, {}, [](const Turn& t) { return t.box.width * t.box.height; });
@@ -83,7 +84,9 @@ std::vector<std::vector<Vec2>> moved(const Footprint& piece, const RigidMotion2&
 
 Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turns) {
   const std::vector<Vec2> hull = convex_hull(piece.points());
-  std::vector<Turn> turns = chosen_turns(hull, room);
+  std::vector<Turn> turns = chosen_turns(turns_of(piece, hull), room);
+  // Packing it all the same would try sheet after sheet.
+  if (turns.empty()) throw std::logic_error("a piece fits no sheet in any turn");
   turns.resize(std::min(turns.size(), most_turns));
   Item item;
   for (const Turn& turn : turns) {
@@ -105,14 +108,16 @@ struct Spot {
   double bottom;
 };
 
-std::optional<Spot> best_spot(const SheetRaster& sheet, const Item& item, std::size_t turns) {
+/// Adds the words of rasters that it looks at to `work`.
+std::optional<Spot> best_spot(const SheetRaster& sheet, const Item& item, std::size_t turns,
+                              std::int64_t& work) {
   std::optional<Spot> best;
   for (std::size_t i = 0; i < std::min(turns, item.candidates.size()); ++i) {
     const PieceRaster& raster = item.candidates[i].raster;
     // Lower places than this end below the best so far.
     const int below =
         best ? static_cast<int>((best->bottom - raster.box.height) / kCell) + 1 : sheet.row_count();
-    const auto place = sheet.find(raster, below);
+    const auto place = sheet.find(raster, below, &work);
     if (!place) continue;
     const double bottom = place->y * kCell + raster.box.height;
     if (!best || bottom < best->bottom) best = Spot{i, *place, bottom};
@@ -127,15 +132,32 @@ struct Strategy {
   std::size_t same = 0;  ///< pieces at the beginning that lie as in the best packing
 };
 
-/// Sheets as they fill up.
-struct Sheets {
-  std::vector<SheetRaster> rasters;
-  std::vector<double> used;  ///< per sheet: height from the top
+/// Sheets as they fill up. Copies share the sheets that are alike, so that it costs little to
+/// remember the sheets before each piece.
+class Sheets {
+ public:
+  std::size_t count() const { return sheets_.size(); }
+  void add(const Extent& room) { sheets_.push_back({std::make_shared<SheetRaster>(room), 0}); }
 
-  void add(const Extent& room) {
-    rasters.emplace_back(room);
-    used.push_back(0);
+  const SheetRaster& raster(std::size_t sheet) const { return *sheets_[sheet].raster; }
+  /// Height used of the last sheet, from the top; 0 without sheets.
+  double used_of_last() const { return sheets_.empty() ? 0 : sheets_.back().used; }
+
+  /// Takes up cells of a sheet that reach down to `bottom`.
+  void take(std::size_t sheet, const PieceRaster& piece, const CellPlace& place, double gap,
+            double bottom) {
+    Sheet& taken = sheets_[sheet];
+    auto raster = std::make_shared<SheetRaster>(*taken.raster);
+    raster->take(piece, place, gap);
+    taken = {std::move(raster), std::max(taken.used, bottom)};
   }
+
+ private:
+  struct Sheet {
+    std::shared_ptr<const SheetRaster> raster;
+    double used;
+  };
+  std::vector<Sheet> sheets_;
 };
 
 }  // namespace
@@ -183,18 +205,18 @@ class Packer::Work {
     for (std::size_t i = 0; i < task_.pins.size(); ++i) {
       if (!task_.pins[i]) continue;
       const auto& [sheet, x, y] = task_.pins[i]->place;
-      while (static_cast<int>(pinned_.rasters.size()) <= sheet) pinned_.add(task_.room);
+      while (static_cast<int>(pinned_.count()) <= sheet) pinned_.add(task_.room);
       const RigidMotion2 turn = settle_at(task_.pieces[i], task_.pins[i]->angle);
       placed_.turns[i] = turn;
       placed_.placements[i] = task_.pins[i]->place;
       RigidMotion2 motion = turn;
       motion.t += Vec2(x, y);
       const PieceRaster raster = rasterize(moved(task_.pieces[i], motion), task_.room);
-      pinned_.rasters[sheet].take(raster, {0, 0}, task_.gap);
-      double& used = pinned_.used[sheet];
+      double bottom = 0;
       for (std::size_t row = 0; row < raster.rows.size(); ++row) {
-        if (!raster.rows[row].empty()) used = std::max(used, (row + 1) * kCell);
+        if (!raster.rows[row].empty()) bottom = (row + 1) * kCell;
       }
+      pinned_.take(sheet, raster, {0, 0}, task_.gap, bottom);
     }
     begin();
   }
@@ -264,22 +286,19 @@ class Packer::Work {
   /// Whether what is placed already takes more paper than the best packing.
   bool is_hopeless() const {
     if (!best_) return false;
-    const int count = static_cast<int>(sheets_.rasters.size());
+    const int count = static_cast<int>(sheets_.count());
     if (count != best_->sheet_count) return count > best_->sheet_count;
-    return sheets_.used.back() > std::ceil(best_->used_height / kEqualHeight) * kEqualHeight;
+    return sheets_.used_of_last() > std::ceil(best_->used_height / kEqualHeight) * kEqualHeight;
   }
 
   void place(int i, std::size_t turns) {
-    const std::size_t first = std::max(sheets_.rasters.size(), kOpenSheets) - kOpenSheets;
-    for (std::size_t s = first;; ++s) {
-      if (s == sheets_.rasters.size()) sheets_.add(task_.room);
-      const std::int64_t before = sheets_.rasters[s].work();
-      const auto spot = best_spot(sheets_.rasters[s], items_[i], turns);
-      work_ += sheets_.rasters[s].work() - before;
+    // Each piece fits an empty sheet, so that this ends there at the latest.
+    for (std::size_t s = std::max(sheets_.count(), kOpenSheets) - kOpenSheets;; ++s) {
+      if (s == sheets_.count()) sheets_.add(task_.room);
+      const auto spot = best_spot(sheets_.raster(s), items_[i], turns, work_);
       if (!spot) continue;
       const Candidate& candidate = items_[i].candidates[spot->candidate];
-      sheets_.rasters[s].take(candidate.raster, spot->place, task_.gap);
-      sheets_.used[s] = std::max(sheets_.used[s], spot->bottom);
+      sheets_.take(s, candidate.raster, spot->place, task_.gap, spot->bottom);
       placed_.turns[i] = candidate.motion;
       placed_.placements[i] = {static_cast<int>(s), spot->place.x * kCell,
                                task_.room.height - spot->bottom};
@@ -299,8 +318,8 @@ class Packer::Work {
   }
 
   void finish() {
-    placed_.sheet_count = static_cast<int>(sheets_.rasters.size());
-    placed_.used_height = sheets_.used.empty() ? 0 : sheets_.used.back();
+    placed_.sheet_count = static_cast<int>(sheets_.count());
+    placed_.used_height = sheets_.used_of_last();
     const auto cost = [&](const Packing& p) {
       return std::tuple(p.sheet_count, std::ceil(p.used_height / kEqualHeight), torn_parts(p),
                         p.used_height);

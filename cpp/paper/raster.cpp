@@ -10,7 +10,7 @@
 namespace foldwright {
 namespace {
 
-// Boxes that just fit may be larger than the room by rounding.
+// What reaches into a cell by less than this touches the line between two cells only.
 constexpr double kRounding = 1e-6;
 
 using Bits = std::vector<std::uint64_t>;
@@ -128,14 +128,17 @@ SheetRaster::SheetRaster(const Extent& room)
   is_empty_.assign(rows, 1);
 }
 
-std::optional<CellPlace> SheetRaster::find(const PieceRaster& piece, int below) const {
-  const int columns = static_cast<int>((room_.width - piece.box.width + kRounding) / kCell) + 1;
-  const int rows = static_cast<int>((room_.height - piece.box.height + kRounding) / kCell) + 1;
-  if (room_.width + kRounding < piece.box.width || room_.height + kRounding < piece.box.height) {
-    return std::nullopt;
-  }
+std::optional<CellPlace> SheetRaster::find(const PieceRaster& piece, int below,
+                                           std::int64_t* work) const {
+  if (!fits(piece.box, room_)) return std::nullopt;
+  const double spare_width = room_.width - piece.box.width + kFitTolerance;
+  const double spare_height = room_.height - piece.box.height + kFitTolerance;
+  const int columns = static_cast<int>(spare_width / kCell) + 1;
+  const int rows = static_cast<int>(spare_height / kCell) + 1;
   Bits blocked(rows_[0].size()), a(blocked.size()), b(blocked.size());
-  for (int y = 0; y < std::min(rows, below); ++y) {
+  std::int64_t looked_at = 0;
+  std::optional<CellPlace> found;
+  for (int y = 0; y < std::min(rows, below) && !found; ++y) {
     std::ranges::fill(blocked, 0);
     for (const int r : piece.widest_first) {
       const int row = y + r;
@@ -143,13 +146,14 @@ std::optional<CellPlace> SheetRaster::find(const PieceRaster& piece, int below) 
       for (const auto& run : piece.rows[r]) {
         add_blocked(rows_[row], run, blocked, a, b);
         // One pass to shift, one for each doubling of the run, one to join.
-        work_ += static_cast<std::int64_t>(a.size()) * (2 + std::bit_width(0u + run.length));
+        looked_at += static_cast<std::int64_t>(a.size()) * (2 + std::bit_width(0u + run.length));
       }
       if (!first_zero(blocked, columns)) break;
     }
-    if (const auto x = first_zero(blocked, columns)) return CellPlace{*x, y};
+    if (const auto x = first_zero(blocked, columns)) found = CellPlace{*x, y};
   }
-  return std::nullopt;
+  if (work != nullptr) *work += looked_at;
+  return found;
 }
 
 void SheetRaster::take(const PieceRaster& piece, const CellPlace& place, double gap) {

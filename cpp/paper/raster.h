@@ -36,16 +36,15 @@ class SheetRaster {
   explicit SheetRaster(const Extent& room);
 
   /// The highest place, and of those the leftmost, where the piece touches no cell taken and stays
-  /// within the sheet; none if there is none above row `below`.
-  std::optional<CellPlace> find(const PieceRaster& piece, int below) const;
+  /// within the sheet; none if there is none above row `below`. Adds the words of the raster that
+  /// it looks at to `work`, if given: a measure that is the same everywhere.
+  std::optional<CellPlace> find(const PieceRaster& piece, int below,
+                                std::int64_t* work = nullptr) const;
 
   /// Takes the piece's cells and all that may be nearer to it than `gap`.
   void take(const PieceRaster& piece, const CellPlace& place, double gap);
 
   int row_count() const { return static_cast<int>(rows_.size()); }
-
-  /// Words of the raster that `find` has looked at: a measure of work that is the same everywhere.
-  std::int64_t work() const { return work_; }
 
  private:
   using Bits = std::vector<std::uint64_t>;
@@ -56,7 +55,6 @@ class SheetRaster {
   int columns_;
   std::vector<Bits> rows_;
   std::vector<char> is_empty_;  ///< per row
-  mutable std::int64_t work_ = 0;
 };
 
 }  // namespace foldwright

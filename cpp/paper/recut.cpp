@@ -32,7 +32,7 @@ double area_of(std::span<const Vec2> polygon) {
 double rooms_taken(std::span<const Vec2> hull, const Extent& room) {
   double least = std::numeric_limits<double>::infinity();
   for (const Turn& turn : upright_turns(hull)) {
-    if (fits(turn, room)) return 1;
+    if (fits(turn.box, room)) return 1;
     const double across = std::max(1.0, turn.box.width / room.width);
     const double up = std::max(1.0, turn.box.height / room.height);
     least = std::min(least, across * up);

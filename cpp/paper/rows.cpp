@@ -6,9 +6,6 @@
 namespace foldwright {
 namespace {
 
-// Boxes that just fit may be larger than the room by rounding.
-constexpr double kRounding = 1e-6;
-
 struct Row {
   int sheet;
   double y, height, used;
@@ -29,7 +26,7 @@ RowLayout lay_in_rows(std::span<const Extent> boxes, const Extent& room, double 
     int sheet = 0;
     const auto start = [&](int s) { return filled[s] > 0 ? filled[s] + gap : 0; };
     while (sheet < static_cast<int>(filled.size()) &&
-           start(sheet) + box.height > room.height + kRounding) {
+           start(sheet) + box.height > room.height + kFitTolerance) {
       ++sheet;
     }
     if (sheet == static_cast<int>(filled.size())) filled.push_back(0);
@@ -41,7 +38,7 @@ RowLayout lay_in_rows(std::span<const Extent> boxes, const Extent& room, double 
     const Extent& box = boxes[i];
     const auto start = [&](const Row& row) { return row.used > 0 ? row.used + gap : 0; };
     const auto has_room = [&](const Row& row) {
-      return box.height <= row.height && start(row) + box.width <= room.width + kRounding;
+      return box.height <= row.height && start(row) + box.width <= room.width + kFitTolerance;
     };
     const auto found = std::find_if(rows.begin(), rows.end(), has_room);
     Row& row = found != rows.end() ? *found : open_row(box);

@@ -48,7 +48,7 @@ Turn choose_turn(std::span<const Turn> turns, const Extent& room) {
     return t.box.width * t.box.height * (1 + 0.05 * t.box.height / (t.box.width + t.box.height));
   };
   for (const Turn& turn : turns) {
-    if (!fits(turn, room)) continue;
+    if (!fits(turn.box, room)) continue;
     if (best == nullptr || cost(turn) < cost(*best)) best = &turn;
   }
   return *best;
@@ -60,7 +60,7 @@ Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, doub
   std::vector<Extent> boxes;
   for (const Footprint& piece : pieces) {
     const std::vector<Vec2> hull = convex_hull(piece.points());
-    const Turn turn = choose_turn(upright_turns(hull), room);
+    const Turn turn = choose_turn(turns_of(piece, hull), room);
     boxes.push_back(turn.box);
     packing.turns.push_back(settle(hull, turn));
   }
@@ -216,6 +216,21 @@ std::vector<Vec2> Footprint::points() const {
     all.insert(all.end(), polygon.begin(), polygon.end());
   }
   return all;
+}
+
+std::vector<Turn> turns_of(const Footprint& piece, std::span<const Vec2> hull) {
+  std::vector<Turn> turns = upright_turns(hull);
+  if (piece.fitting_turn) {
+    const auto& [c, s] = *piece.fitting_turn;
+    turns.push_back(turned(hull, {c, s, {}}));
+    turns.push_back(turned(hull, {s, -c, {}}));
+  }
+  return turns;
+}
+
+bool fits_somehow(const Footprint& piece, const Extent& room) {
+  const std::vector<Turn> turns = turns_of(piece, convex_hull(piece.points()));
+  return std::ranges::any_of(turns, [&](const Turn& turn) { return fits(turn.box, room); });
 }
 
 RigidMotion2 settle_at(const Footprint& piece, double angle) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,6 +28,9 @@ struct SheetOptions {
 struct Footprint {
   std::vector<std::vector<Vec2>> polygons;
   double face_area = 0;  ///< without flaps
+  /// Cosine and sine of a turn in which it is known to fit the sheet. Flaps that were kept on the
+  /// sheet in this turn change the hull, so that it may be none of the hull's upright turns.
+  std::optional<std::array<double, 2>> fitting_turn = {};
 
   /// The corners of all polygons.
   std::vector<Vec2> points() const;
@@ -68,6 +72,13 @@ struct SheetTask {
 
   static constexpr int kFullEffort = 200;
 };
+
+/// The turns worth trying for a piece with this convex hull: upright ones, and the one known to
+/// fit.
+std::vector<Turn> turns_of(const Footprint& piece, std::span<const Vec2> hull);
+
+/// Whether some of these turns of the piece fits the room.
+bool fits_somehow(const Footprint& piece, const Extent& room);
 
 /// Turns a piece by an angle, in radians counter-clockwise, and moves its box to (0, 0).
 RigidMotion2 settle_at(const Footprint& piece, double angle);

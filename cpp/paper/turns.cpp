@@ -8,9 +8,6 @@
 namespace foldwright {
 namespace {
 
-// A billionth of a sheet is lost to rounding when a piece is turned and moved.
-constexpr double kRoundingShare = 1e-9;
-
 constexpr int kDiagonalSteps = 60;  // of half a turn: 3 degrees each
 
 Extent turned_box(std::span<const Vec2> points, double c, double s) {
@@ -70,15 +67,12 @@ RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn) {
   return motion;
 }
 
-bool fits(const Turn& turn, const Extent& room) {
-  return turn.box.width <= room.width * (1 + kRoundingShare) &&
-         turn.box.height <= room.height * (1 + kRoundingShare);
+Turn turned(std::span<const Vec2> points, const Turn& turn) {
+  return {turn.c, turn.s, turned_box(points, turn.c, turn.s)};
 }
 
-bool fits_somehow(std::vector<Vec2> points, const Extent& room) {
-  const std::vector<Vec2> hull = convex_hull(std::move(points));
-  const std::vector<Turn> turns = upright_turns(hull);
-  return std::any_of(turns.begin(), turns.end(), [&](const Turn& t) { return fits(t, room); });
+bool fits(const Extent& box, const Extent& room) {
+  return box.width <= room.width + kFitTolerance && box.height <= room.height + kFitTolerance;
 }
 
 }  // namespace foldwright

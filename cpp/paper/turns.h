@@ -7,6 +7,10 @@
 
 namespace foldwright {
 
+/// Pieces may stick out of a sheet by this many millimetres: what is lost to rounding when a piece
+/// that just fits is scaled, turned and moved, and what flaps at the sheet's edge may touch it by.
+inline constexpr double kFitTolerance = 1e-5;
+
 /// Width and height, in whatever unit the points have.
 struct Extent {
   double width = 0, height = 0;
@@ -29,10 +33,10 @@ std::vector<Turn> upright_turns(std::span<const Vec2> hull);
 /// Turns a piece with this hull, and moves its box to (0, 0).
 RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn);
 
-/// Whether the turned piece fits, up to rounding.
-bool fits(const Turn& turn, const Extent& room);
+/// The same turn of other points.
+Turn turned(std::span<const Vec2> points, const Turn& turn);
 
-/// Whether some turn of the points fits.
-bool fits_somehow(std::vector<Vec2> points, const Extent& room);
+/// Whether a box fits a room, both in mm and up to `kFitTolerance`.
+bool fits(const Extent& box, const Extent& room);
 
 }  // namespace foldwright

@@ -20,8 +20,11 @@ Labels label_learned(const JobState& state, const Component& component) {
     return subdivide(mesh, graph, learned.matrix, component.parts, options.seed);
   }
   return segment(mesh, graph, learned.matrix,
-                 {options.segmenter, component.parts, options.seed,
-                  largest_part_area(state.surface->mesh, options)});
+                 {.segmenter = options.segmenter,
+                  .parts = component.parts,
+                  .whole_first = component.whole_first,
+                  .seed = options.seed,
+                  .largest_area = largest_part_area(state.surface->mesh, options)});
 }
 
 /// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned

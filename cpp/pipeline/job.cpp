@@ -9,8 +9,21 @@
 namespace foldwright {
 namespace {
 
-/// Share of a usual job's time that each stage takes, in the order of `StageId`.
-constexpr double kStageShares[] = {0.02, 0.2, 0.08, 0.2, 0.45, 0.05};
+/// What there is to know of a stage beside its work.
+struct StageFacts {
+  double share;            ///< of a usual job's time
+  const char* doing;       ///< as in "there is not enough memory for ..."
+  const char* would_help;  ///< where memory ends
+};
+
+/// In the order of `StageId`.
+constexpr StageFacts kStages[] = {
+    {0.02, "reading and repairing the model", "simplify the model in the program that made it"},
+    {0.2, "learning from unfoldings", "simplify the model to fewer faces"},
+    {0.08, "cutting the model into parts", "simplify the model to fewer faces"},
+    {0.2, "searching nets", "simplify the model to fewer faces"},
+    {0.45, "making room for flaps", "simplify the model to fewer faces"},
+    {0.05, "placing pieces on sheets", "choose a smaller size, smaller paper or fewer faces"}};
 
 }  // namespace
 
@@ -53,9 +66,12 @@ Events Job::guarded(Action&& action) {
   } catch (const InputError& error) {
     fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {
-    fail("out-of-memory", "the model needs more memory than there is");
+    const StageFacts& stage = kStages[current_];
+    fail("out-of-memory",
+         std::string("there is not enough memory for ") + stage.doing + ": " + stage.would_help);
   } catch (const std::exception& error) {
-    fail("internal", std::string("internal error: ") + error.what());
+    fail("internal",
+         std::string("internal error while ") + kStages[current_].doing + ": " + error.what());
   }
   return events;
 }
@@ -161,10 +177,10 @@ void Job::run_task(std::int64_t work, Events& events) {
 
 void Job::report_progress(Events& events) {
   double done = 0;
-  for (std::size_t i = 0; i < current_; ++i) done += kStageShares[i];
+  for (std::size_t i = 0; i < current_; ++i) done += kStages[i].share;
   const Stage& stage = *stages_[current_];
   if (phase_ == Phase::kTasks) {
-    done += kStageShares[current_] * stage.progress(state_, running_);
+    done += kStages[current_].share * stage.progress(state_, running_);
   }
   progress_ = std::clamp(done, progress_, 1.0);
   events.push_back(StageEvent{stage.id(), progress_});

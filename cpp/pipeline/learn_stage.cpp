@@ -8,14 +8,14 @@
 namespace foldwright {
 namespace {
 
-/// A component that stays whole, or whose number of parts is known without it, needs no learning: a
-/// convex one unfolds whole (its matrix is all ones), if that is not too large for a sheet.
+/// A component that stays whole, or is tried whole first, needs no learning, if that is not too
+/// large for a sheet.
 bool needs_learning(const JobState& state, const Component& component) {
   if (component.graph.panel_count() == 1) return false;
   if (component.parts > 0) return component.parts > 1;
   const std::vector<double>& areas = component.graph.areas;
-  return !component.convex || std::accumulate(areas.begin(), areas.end(), 0.0) >
-                                  largest_part_area(state.surface->mesh, state.options);
+  return !component.whole_first || std::accumulate(areas.begin(), areas.end(), 0.0) >
+                                       largest_part_area(state.surface->mesh, state.options);
 }
 
 /// Learns the foldability of every component that will be clustered [paper, 4.1].

@@ -8,19 +8,20 @@
 namespace foldwright {
 namespace {
 
-/// What keeps flaps on the sheet that the net fits: what is around the sheet when the net lies in
-/// its middle, in the turn that leaves most room.
-std::vector<std::vector<Vec2>> around_sheet(const Net& net, const Extent& room, double reach) {
-  const std::vector<Vec2> hull = convex_hull(footprint_of(net).points());
-  std::optional<Turn> best;
+/// The upright turn of a net that leaves most room on the sheet.
+Turn roomiest_turn(std::span<const Vec2> hull, const Extent& room) {
   const auto spare = [&](const Turn& turn) {
     return std::min(room.width - turn.box.width, room.height - turn.box.height);
   };
-  for (const Turn& turn : upright_turns(hull)) {
-    if (!best || spare(turn) > spare(*best)) best = turn;
-  }
-  RigidMotion2 place = settle(hull, *best);
-  place.t += 0.5 * Vec2(room.width - best->box.width, room.height - best->box.height);
+  return std::ranges::max(upright_turns(hull), {}, spare);
+}
+
+/// What keeps flaps on the sheet that the net fits: what is around the sheet when the net lies in
+/// its middle, in a turn.
+std::vector<std::vector<Vec2>> around_sheet(std::span<const Vec2> hull, const Turn& turn,
+                                            const Extent& room, double reach) {
+  RigidMotion2 place = settle(hull, turn);
+  place.t += 0.5 * Vec2(room.width - turn.box.width, room.height - turn.box.height);
   const RigidMotion2 back = place.inverse();
   const auto box = [&](double x0, double y0, double x1, double y1) {
     return std::vector<Vec2>{back({x0, y0}), back({x1, y0}), back({x1, y1}), back({x0, y1})};
@@ -79,12 +80,16 @@ bool PaperDrafter::place_flaps_on_sheets() {
   const Extent room = printable(state_.options.sheet);
   draft_.flaps = place_flaps(state_.surface->mesh, draft_.flat, options, keep_off_);
   keep_off_.resize(draft_.flat.size());
+  held_.resize(draft_.flat.size());
   bool fits_all = true;
   for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
     // Flaps that one net must do without may go to another, which then is looked at as well.
     if (!keep_off_[i].empty()) continue;
-    if (fits_somehow(footprint_of(draft_.flat[i], draft_.flaps.flaps[i]).points(), room)) continue;
-    keep_off_[i] = around_sheet(draft_.flat[i], room, 2 * options.shape.height);
+    if (fits_somehow(footprint_of(draft_.flat[i], draft_.flaps.flaps[i]), room)) continue;
+    const std::vector<Vec2> hull = convex_hull(footprint_of(draft_.flat[i]).points());
+    const Turn turn = roomiest_turn(hull, room);
+    keep_off_[i] = around_sheet(hull, turn, room, 2 * options.shape.height);
+    held_[i] = {turn.c, turn.s};
     fits_all = false;
   }
   return fits_all;
@@ -93,6 +98,7 @@ bool PaperDrafter::place_flaps_on_sheets() {
 void PaperDrafter::begin_packing() {
   for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
     draft_.prints.push_back(footprint_of(draft_.flat[i], draft_.flaps.flaps[i]));
+    draft_.prints.back().fitting_turn = held_[i];
   }
   pins_.resize(draft_.nets.size());
   for (const PinnedPiece& pinned : state_.options.pins) {

@@ -46,6 +46,7 @@ class PaperDrafter {
   Phase phase_ = Phase::kCut;
   NetCutter cutter_;
   std::vector<std::vector<std::vector<Vec2>>> keep_off_;
+  std::vector<std::optional<std::array<double, 2>>> held_;  ///< see `Footprint::fitting_turn`
   std::vector<int> parts_;
   std::vector<std::optional<Pin>> pins_;
   std::optional<SheetPlanner> planner_;

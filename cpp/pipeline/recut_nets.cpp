@@ -80,7 +80,7 @@ bool ScaleFinder::fits_at(double scale) const {
   const FlapPlan plan = place_flaps(state_.surface->mesh, nets, state_.options.flaps);
   const Extent room = printable(state_.options.sheet);
   for (std::size_t i = 0; i < nets.size(); ++i) {
-    if (!fits_somehow(footprint_of(nets[i], plan.flaps[i]).points(), room)) return false;
+    if (!fits_somehow(footprint_of(nets[i], plan.flaps[i]), room)) return false;
   }
   return true;
 }
@@ -107,7 +107,7 @@ bool NetCutter::step() {
   open_.pop_back();
   const Extent room = printable(state_.options.sheet);
   const Net net = flatten(state_, next, scale_);
-  if (fits_somehow(footprint_of(net).points(), room)) {
+  if (fits_somehow(footprint_of(net), room)) {
     fitting_.push_back(std::move(next));
     return open_.empty();
   }

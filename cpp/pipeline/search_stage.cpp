@@ -89,6 +89,13 @@ class SearchStage : public Stage {
 
   void end(JobState& state, Events& events) override {
     salvage(state);
+    if (state.options.parts == 0 && !state.start) {
+      // Nobody asked for a number: what did not hold together was no part.
+      const int parts = state.parts;
+      make_parts_of_pieces(state);
+      label_faces(state);
+      labels_changed_ |= state.parts != parts;
+    }
     if (labels_changed_) events.push_back(SegmentedEvent{state.result.labels});
     add_search_notices(state);
   }
@@ -96,11 +103,7 @@ class SearchStage : public Stage {
   void salvage(JobState& state) override {
     label_faces(state);
     trees_->collect(state);
-    // In the order of parts, and within a part by lowest panel, however the searches ended.
-    std::sort(state.nets.begin(), state.nets.end(), [](const FoundNet& a, const FoundNet& b) {
-      return std::pair(a.region.part, a.region.panels[0]) <
-             std::pair(b.region.part, b.region.panels[0]);
-    });
+    sort_nets(state);  // however the searches ended
   }
 
   void watch(int task, const Running& running, Events& events) override {

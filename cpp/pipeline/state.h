@@ -50,8 +50,9 @@ struct FoundNet {
 struct Component {
   std::vector<int> panels;  ///< of the model's graph, ascending
   DualGraph graph;          ///< of those panels
-  bool convex = false;      ///< no hinge is a valley
-  int parts = 0;            ///< asked of it; 0 estimates
+  /// Few bends or convex: where nobody says how many parts, a person would try one piece first.
+  bool whole_first = false;
+  int parts = 0;  ///< asked of it; 0 estimates
   std::optional<Learned> learned;
   Labels labels;  ///< per panel of `graph`: its part within the component
   /// Numbers of its parts among all of the model, ascending; empty until they are known.
@@ -84,6 +85,13 @@ struct JobState {
   std::vector<Notice> notices;
   JobResult result;
 };
+
+/// Sorts the nets by part, and within a part by lowest panel.
+void sort_nets(JobState& state);
+
+/// Makes a part of every net that is only a share of one. Labels of faces are left as they are.
+/// \pre nets are sorted, and all panels are in nets
+void make_parts_of_pieces(JobState& state);
 
 /// Labels all faces in `state.result` by the parts of their panels. \pre parts have numbers
 void label_faces(JobState& state);

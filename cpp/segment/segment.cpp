@@ -82,7 +82,7 @@ Cues cues_of(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& 
   }
   const std::vector<float> geodesic = concave_geodesic(mesh, graph);
   Cues cues{shape_affinity(matrix, geodesic), {}, mirror_images(mesh, graph)};
-  if (options.parts > 0) return cues;
+  if (options.parts > 0 || options.whole_first) return cues;
   for (const ShapeCue& cue : kCuesForCounting) {
     cues.for_counting.push_back(shape_affinity(matrix, geodesic, cue));
   }
@@ -115,7 +115,8 @@ Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix
                const SegmentOptions& options) {
   assert(options.parts <= graph.panel_count());
   const Cues cues = cues_of(mesh, graph, matrix, options);
-  const int parts = options.parts > 0 ? options.parts : estimate_parts(cues.for_counting);
+  int parts = options.parts;
+  if (parts == 0) parts = options.whole_first ? 1 : estimate_parts(cues.for_counting);
   Labels labels = spectral_clusters(cues.affinity,
                                     {.parts = parts, .seed = options.seed, .images = cues.images});
   labels = connect_parts(graph, {matrix, each_row(graph.panel_count())}, std::move(labels));

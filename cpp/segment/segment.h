@@ -13,7 +13,8 @@ enum class Segmenter { kShape, kFoldability };
 
 struct SegmentOptions {
   Segmenter segmenter = Segmenter::kShape;
-  int parts = 0;  ///< number of parts, at most the number of panels; 0 estimates it
+  int parts = 0;             ///< number of parts, at most the number of panels; 0 estimates it
+  bool whole_first = false;  ///< estimate one part, whatever the spectrum shows
   std::uint64_t seed = 1;
   /// With `kShape` and an estimated number: parts of more area, in square model units, are divided
   /// as `subdivide` does it, until there are 20 parts.

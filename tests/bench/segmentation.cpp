@@ -65,7 +65,10 @@ Segmentation segmentation(const JobState& state, Segmenter segmenter, bool smoot
       const DualGraph graph = restrict_to(learned.surface->graph, learned.panels);
       own = carry_labels(mesh, component.graph, {learned.matrix, learned.rows},
                          segment(learned.surface->mesh, graph, learned.matrix,
-                                 {segmenter, component.parts, state.options.seed}));
+                                 {.segmenter = segmenter,
+                                  .parts = component.parts,
+                                  .whole_first = component.whole_first,
+                                  .seed = state.options.seed}));
       if (smooth) {
         own = smooth_labels(mesh, component.graph, segmenter, learned.matrix.size, std::move(own));
       }

@@ -62,5 +62,61 @@ TEST(JobParts, GetANetEvenOfASkullWithHandles) {
   }
 }
 
+/// A block with a square tunnel through it, whose walls are too long to lie within its openings.
+std::string block_with_tunnel() {
+  std::string text;
+  for (const char* z : {"0", "4"}) {
+    for (const char* xy :
+         {"-2 -2", "2 -2", "2 2", "-2 2", "-.5 -.5", ".5 -.5", ".5 .5", "-.5 .5"}) {
+      text += std::string("v ") + xy + " " + z + "\n";
+    }
+  }
+  const auto quad = [&](int a, int b, int c, int d) {
+    text += "f";
+    for (const int v : {a, b, c, d}) text += " " + std::to_string(v + 1);
+    text += "\n";
+  };
+  for (int i = 0; i < 4; ++i) {
+    const int next = (i + 1) % 4;
+    quad(next, i, i + 4, next + 4);            // below
+    quad(i + 8, next + 8, next + 12, i + 12);  // above
+    quad(i, next, next + 8, i + 8);            // outside
+    quad(next + 4, i + 4, i + 12, next + 12);  // in the tunnel
+  }
+  return text;
+}
+
+TEST(JobParts, OfSimpleShapesAreOneWhereNobodyChoosesANumber) {
+  for (const Mesh& mesh : {l_prism(), dumbbell(), star(), accordion({1, 2, 1})}) {
+    SCOPED_TRACE(mesh.face_count());
+    const Outcome outcome = run(mesh, {.compaction = false});
+    expect_sound(outcome);
+    EXPECT_EQ(outcome.result->parts, 1);
+    EXPECT_EQ(outcome.result->pieces.size(), 1u);
+  }
+}
+
+TEST(JobParts, AreThePiecesThatComeOutWhereNobodyChoosesANumber) {
+  const std::string text = block_with_tunnel();
+  const Outcome whole = run_file(text, "block.obj", {.parts = 1, .compaction = false});
+  expect_sound(whole);
+  const std::size_t pieces = whole.result->pieces.size();
+  EXPECT_GT(pieces, 1u);
+  EXPECT_TRUE(whole.notices().contains("part-split"));
+  const Outcome outcome = run_file(text, "block.obj", {.compaction = false});
+  expect_sound(outcome);
+  EXPECT_EQ(outcome.result->pieces.size(), pieces);
+  EXPECT_EQ(outcome.result->parts, static_cast<int>(pieces));
+  EXPECT_FALSE(outcome.notices().contains("part-split"));
+}
+
+TEST(JobParts, AreAsManyAsTheSheetsWantWhereNobodyChoosesANumber) {
+  JobOptions options{.compaction = false};
+  options.size = {Sizing::kHeight, 180};
+  const Outcome outcome = run(l_prism(), options);
+  expect_sound(outcome);
+  EXPECT_GT(outcome.result->parts, 1);
+}
+
 }  // namespace
 }  // namespace foldwright::testing

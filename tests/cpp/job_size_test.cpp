@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <span>
 
 #include "job_runs.h"
 #include "meshes.h"
 #include "pipeline/model_size.h"
 #include "segment/spectral.h"
+#include "shared_models.h"
 
 namespace foldwright::testing {
 namespace {
@@ -23,7 +25,7 @@ void expect_all_fit(const JobResult& result, const SheetOptions& sheet) {
   std::vector<int> uses(result.mesh.faces.size(), 0);
   for (const Piece& piece : result.pieces) {
     EXPECT_TRUE(piece.check.valid());
-    EXPECT_TRUE(fits_somehow(piece.net.vertices, printable(sheet)));
+    EXPECT_TRUE(fits_somehow(Footprint{{piece.net.vertices}}, printable(sheet)));
     for (const int face : piece.net.faces) ++uses[face];
   }
   EXPECT_EQ(std::ranges::count(uses, 1), static_cast<int>(uses.size()));
@@ -114,6 +116,20 @@ TEST(JobSize, RefusesFacesLargerThanASheet) {
   const Outcome outcome = run(cube(), sized(Sizing::kHeight, 500, 1));
   ASSERT_EQ(outcome.all<ErrorEvent>().size(), 1u);
   EXPECT_EQ(outcome.all<ErrorEvent>()[0].code, "face-too-large");
+}
+
+TEST(JobSize, KeepsFlapsOnASheetThatAPieceFitsInOneTurnOnly) {
+  // At 150 mm one of its pieces fits the sheet in a turn along no side of its hull with flaps.
+  const auto path = shared_folder() / "models/textured/spot/spot_control_mesh.obj";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << kNoSharedModels;
+  const SheetOptions sheet;
+  for (const double height : {149.0, 150.0, 151.0}) {
+    SCOPED_TRACE(height);
+    const Outcome outcome =
+        run_file(bytes_of(path), "spot.obj", {.parts = 8, .size = {Sizing::kHeight, height}});
+    expect_sound(outcome);
+    expect_all_fit(*outcome.result, sheet);
+  }
 }
 
 }  // namespace

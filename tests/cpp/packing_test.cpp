@@ -81,5 +81,23 @@ TEST(Packer, PacksAroundPins) {
   expect_apart(pieces, packing);
 }
 
+TEST(Packer, RefusesAPieceThatFitsNoSheetInsteadOfAddingSheetsForEver) {
+  const std::vector<Footprint> pieces = {rectangle(50, 50), rectangle(300, 300)};
+  EXPECT_THROW(pack({.pieces = pieces, .room = {190, 150}}), std::logic_error);
+}
+
+TEST(Packer, TakesPiecesThatExceedLargePaperByRounding) {
+  const double side = 9000 + 0.9 * kFitTolerance;
+  const std::vector<Footprint> pieces = {rectangle(side, side)};
+  EXPECT_EQ(pack({.pieces = pieces, .room = {9000, 9000}, .effort = 1}).sheet_count, 1);
+}
+
+TEST(Packer, PutsHundredsOfPiecesOnAsManySheets) {
+  // Each order of pieces once kept a copy of all sheets for every piece.
+  const std::vector<Footprint> pieces(400, rectangle(150, 120));
+  const Packing packing = pack({.pieces = pieces, .room = {190, 150}});
+  EXPECT_EQ(packing.sheet_count, 400);
+}
+
 }  // namespace
 }  // namespace foldwright::testing

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "mesh/input_error.h"
 #include "meshes.h"
@@ -296,6 +298,33 @@ TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {
     EXPECT_EQ(error.code(), "bad-margin");
     EXPECT_NE(std::string(error.what()).find("margin"), std::string::npos);
   }
+}
+
+Footprint print_of(std::vector<Vec2> polygon) { return {.polygons = {std::move(polygon)}}; }
+
+TEST(FitsSomehow, TurnsAPieceUprightOrAlongTheDiagonal) {
+  const Footprint rectangle = print_of({{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+  EXPECT_TRUE(fits_somehow(rectangle, {4, 1}));
+  EXPECT_TRUE(fits_somehow(rectangle, {1, 4}));
+  EXPECT_FALSE(fits_somehow(rectangle, {3.9, 0.9}));
+  const Footprint stick = print_of({{0, 0}, {12, 0}, {12, 0.1}, {0, 0.1}});
+  EXPECT_TRUE(fits_somehow(stick, {9, 9}));
+  EXPECT_FALSE(fits_somehow(stick, {8, 8}));
+}
+
+TEST(TurnsOf, HaveTheOneThatIsKnownToFitOnEitherSheet) {
+  Footprint piece = print_of({{0, 0}, {50, 0}, {40, 30}});
+  const double angle = 0.3;  // along no edge, and between the steps of 3 degrees
+  piece.fitting_turn = {std::cos(angle), std::sin(angle)};
+  const auto has = [&](double wanted) {
+    return std::ranges::any_of(turns_of(piece, convex_hull(piece.points())), [&](const Turn& turn) {
+      return std::hypot(turn.c - std::cos(wanted), turn.s - std::sin(wanted)) < 1e-12;
+    });
+  };
+  EXPECT_TRUE(has(angle));
+  EXPECT_TRUE(has(angle - std::numbers::pi / 2)) << "with the sheet on its side";
+  piece.fitting_turn.reset();
+  EXPECT_FALSE(has(angle));
 }
 
 }  // namespace

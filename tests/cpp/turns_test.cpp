@@ -31,14 +31,5 @@ TEST(UprightTurns, FindTheSmallestBox) {
   EXPECT_NEAR(least, 4, 1e-12);
 }
 
-TEST(FitsSomehow, TurnsAPieceUprightOrAlongTheDiagonal) {
-  EXPECT_TRUE(fits_somehow(kRectangle, {4, 1}));
-  EXPECT_TRUE(fits_somehow(kRectangle, {1, 4}));
-  EXPECT_FALSE(fits_somehow(kRectangle, {3.9, 0.9}));
-  const std::vector<Vec2> stick = {{0, 0}, {12, 0}, {12, 0.1}, {0, 0.1}};
-  EXPECT_TRUE(fits_somehow(stick, {9, 9}));
-  EXPECT_FALSE(fits_somehow(stick, {8, 8}));
-}
-
 }  // namespace
 }  // namespace foldwright::testing
