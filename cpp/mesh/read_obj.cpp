@@ -8,12 +8,12 @@ namespace {
 
 Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
 
-double coordinate(TextScanner& scanner) {
+double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   const std::string_view word = scanner.word_in_line();
   if (word.empty()) {
     throw InputError("truncated", prefix(here(scanner)) + "vertex has fewer than 3 coordinates");
   }
-  return number_of(word, scanner.line());
+  return builder.text_coordinate(word, scanner.line());
 }
 
 /// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; only the vertex counts.
@@ -55,9 +55,9 @@ PolygonSoup read_obj(std::span<const std::byte> bytes) {
     const std::string_view keyword = scanner.word_in_line();
     if (keyword == "v") {
       const Place place = here(scanner);
-      const double x = coordinate(scanner);
-      const double y = coordinate(scanner);
-      const double z = coordinate(scanner);
+      const double x = coordinate(scanner, builder);
+      const double y = coordinate(scanner, builder);
+      const double z = coordinate(scanner, builder);
       builder.add_vertex({x, y, z}, place);
     } else if (keyword == "f" || keyword == "fo") {  // "fo": faces of old exporters
       read_face(scanner, builder);

@@ -61,9 +61,9 @@ PolygonSoup read_off(std::span<const std::byte> bytes) {
     const std::string_view x_word = first_word_of_next_line(scanner);
     if (x_word.empty()) fail_at_end(scanner, "vertices", v, vertices);
     const Place place = here(scanner);
-    const double x = number_of(x_word, scanner.line());
-    const double y = scanner.number();
-    const double z = scanner.number();
+    const double x = builder.text_coordinate(x_word, scanner.line());
+    const double y = builder.text_coordinate(scanner.number_word(), scanner.line());
+    const double z = builder.text_coordinate(scanner.number_word(), scanner.line());
     builder.add_vertex({x, y, z}, place);
   }
   for (long long f = 0; f < faces; ++f) {

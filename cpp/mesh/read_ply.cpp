@@ -43,6 +43,17 @@ class PlyData {
     return 0;
   }
 
+  /// A coordinate, which counts for the precision of the model.
+  double coordinate(PlyType type, SoupBuilder& builder) {
+    if (is_ascii_) {
+      const std::string_view word = scanner_.number_word();
+      return builder.text_coordinate(word, scanner_.line());
+    }
+    const double number = value(type);
+    return type == PlyType::kFloat32 ? builder.single_coordinate(number)
+                                     : builder.double_coordinate(number);
+  }
+
   /// A list's length or a vertex's index. Floats are not unheard of, and every index is exact in
   /// a double; -1 stands for what is no index at all.
   long long integer(PlyType type) {
@@ -139,8 +150,11 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
         read_list(data, property, roles[p], builder);
         continue;
       }
-      const double value = data.value(property.type);
-      if (roles[p] <= Role::kZ) position[static_cast<int>(roles[p])] = value;
+      if (roles[p] <= Role::kZ) {
+        position[static_cast<int>(roles[p])] = data.coordinate(property.type, builder);
+      } else {
+        data.value(property.type);
+      }
     }
     if (element.name == "vertex") builder.add_vertex(position, data.place());
     if (element.name == "face") builder.end_face(data.place());

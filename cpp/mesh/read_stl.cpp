@@ -32,9 +32,9 @@ void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
   const Place place{"triangle", number};
   reader.skip(3 * sizeof(float));  // the normal: often zero or wrong, and never needed
   for (int corner = 0; corner < 3; ++corner) {
-    const double x = reader.read<float>();
-    const double y = reader.read<float>();
-    const double z = reader.read<float>();
+    const double x = builder.single_coordinate(reader.read<float>());
+    const double y = builder.single_coordinate(reader.read<float>());
+    const double z = builder.single_coordinate(reader.read<float>());
     builder.add_vertex({x, y, z}, place);
     builder.add_corner(builder.vertex_count() - 1);
   }
@@ -96,9 +96,9 @@ void read_facet(TextScanner& scanner, SoupBuilder& builder) {
   std::string_view word = scanner.word();
   for (; lower_case(word) == "vertex"; word = scanner.word()) {
     const Place vertex_place{"line", scanner.line()};
-    const double x = scanner.number();
-    const double y = scanner.number();
-    const double z = scanner.number();
+    const double x = builder.text_coordinate(scanner.number_word(), scanner.line());
+    const double y = builder.text_coordinate(scanner.number_word(), scanner.line());
+    const double z = builder.text_coordinate(scanner.number_word(), scanner.line());
     builder.add_vertex({x, y, z}, vertex_place);
     builder.add_corner(builder.vertex_count() - 1);
   }

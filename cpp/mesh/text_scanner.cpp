@@ -165,15 +165,19 @@ bool TextScanner::next_line() {
   return !at_end();
 }
 
-double TextScanner::number() {
+std::string_view TextScanner::number_word() {
   const std::string_view found = word();
   if (found.empty()) fail_at_end(line_);
+  return found;
+}
+
+double TextScanner::number() {
+  const std::string_view found = number_word();
   return number_of(found, line_);
 }
 
 long long TextScanner::integer() {
-  const std::string_view found = word();
-  if (found.empty()) fail_at_end(line_);
+  const std::string_view found = number_word();
   return integer_of(found, line_);
 }
 

@@ -34,6 +34,9 @@ class TextScanner {
   /// Offset of the next byte to be read, for files that go on in binary.
   std::size_t position() const { return position_; }
 
+  /// Next word, on whatever line, where a number is expected.
+  /// \throw InputError ("truncated") naming the line
+  std::string_view number_word();
   /// Next word, on whatever line, as a number. NaN and infinities pass.
   /// \throw InputError ("bad-number", "truncated") naming the line
   double number();

@@ -81,5 +81,12 @@ TEST(ReadObj, RefusesPointsAndLinesAlone) {
             "the file has vertices but no faces; points and lines alone cannot be unfolded");
 }
 
+TEST(ReadObj, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_DOUBLE_EQ(
+      read_text("v 0 1.41202 0.53934\nv 0.5 0 0\nv 0 0 1 0.123456789\nf 1 2 3\n", "a.obj")
+          .precision,
+      5e-6);
+}
+
 }  // namespace
 }  // namespace foldwright::testing

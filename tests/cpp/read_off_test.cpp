@@ -49,5 +49,10 @@ TEST(ReadOff, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "line 1: binary OFF files are not read");
 }
 
+TEST(ReadOff, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_DOUBLE_EQ(
+      read_text("OFF\n3 1 0\n0 0 0.25\n1 0.5 0\n0 1 0\n3 0 1 2 0.1234\n", "a.off").precision, 5e-3);
+}
+
 }  // namespace
 }  // namespace foldwright::testing

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "model_text.h"
@@ -97,6 +98,12 @@ TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
                     "a.ply"),
             "element 'vertex' needs one property 'y'");
+}
+
+TEST(ReadPly, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_EQ(read_text(binary_ply(true), "a.ply").precision, std::ldexp(1.0, -24));
+  EXPECT_DOUBLE_EQ(
+      read_text(kAsciiHeader + "0 0 0.5\n1 0.25 0\n0 1 0\n3 0 1 2\n", "a.ply").precision, 5e-3);
 }
 
 }  // namespace

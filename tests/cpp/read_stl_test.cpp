@@ -84,5 +84,13 @@ TEST(ReadStl, NamesTheLineOfWhatIsWrong) {
             "line 4: a coordinate is not a finite number");
 }
 
+TEST(ReadStl, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_EQ(read_text(binary_stl(1, 1), "a.stl").precision, std::ldexp(1.0, -24));
+  const std::string facet =
+      "facet normal 0.12345 0 0\nouter loop\nvertex 0 0 0.125\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\n";
+  EXPECT_DOUBLE_EQ(read_text("solid\n" + facet + "endsolid\n", "a.stl").precision, 5e-4);
+}
+
 }  // namespace
 }  // namespace foldwright::testing
