@@ -25,6 +25,10 @@ bool is_single(double value, double tolerance) {
   return std::abs(value - static_cast<double>(static_cast<float>(value))) <= tolerance;
 }
 
+/// Whether a person or a grid is likely to have chosen the number: multiples of 1/64, which is as
+/// fine as binary fractions of an inch go.
+bool is_chosen(double value) { return 64 * value == std::floor(64 * value); }
+
 }  // namespace
 
 WrittenDigits written_digits(std::string_view word) {
@@ -49,17 +53,17 @@ void CoordinatePrecision::add_text(std::string_view word, double value) {
   if (value == 0) return;
   const WrittenDigits digits = written_digits(word);
   count_digits(digits);
-  all_whole_ = all_whole_ && value == std::floor(value);
+  all_chosen_ = all_chosen_ && is_chosen(value);
   add(value, half_unit(digits.decimals));
 }
 
 void CoordinatePrecision::add_single(double value) {
-  any_stored_ = true;
+  all_chosen_ = false;
   add(value, 0);
 }
 
 void CoordinatePrecision::add_double(double value) {
-  all_whole_ = all_whole_ && value == std::floor(value);
+  all_chosen_ = all_chosen_ && is_chosen(value);
   add(value, 0);
 }
 
@@ -89,13 +93,13 @@ bool CoordinatePrecision::has_fixed_significance() const {
 }
 
 double CoordinatePrecision::text_rounding() const {
-  if (all_whole_ || most_significant_ == 0) return 0;
+  if (all_chosen_ || most_significant_ == 0) return 0;
   return half_unit(has_fixed_significance() ? most_significant_ - 1 - top_decade_ : most_decimals_);
 }
 
 double CoordinatePrecision::rounding_error() const {
   double error = std::max(text_rounding(), half_spacing(largest_, 53));
-  if (all_single_ && (any_stored_ || !all_whole_)) {
+  if (all_single_ && !all_chosen_) {
     error = std::max(error, half_spacing(largest_, 24));
   }
   return error;

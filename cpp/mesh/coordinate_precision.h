@@ -24,7 +24,8 @@ WrittenDigits written_digits(std::string_view word);
 /// - Single precision: half the distance between neighbouring floats at the largest coordinate.
 ///   This also holds for text and doubles whose values all are floats to within their last place,
 ///   such as 0.8726779818534851: printing more digits does not make them more precise.
-/// - Coordinates that all are whole numbers were written by somebody, not rounded.
+/// - Coordinates that all are whole numbers or binary fractions such as 0.5 and 0.75 were chosen by
+///   somebody: rounding to decimals seldom hits one. They are exact unless stored as floats.
 /// - Never less than half the distance between neighbouring doubles at the largest coordinate.
 class CoordinatePrecision {
  public:
@@ -40,9 +41,8 @@ class CoordinatePrecision {
 
  private:
   double largest_ = 0;         // magnitude
-  bool all_whole_ = true;      // of text
+  bool all_chosen_ = true;     // whole or binary fractions
   bool all_single_ = true;     // to within what is written
-  bool any_stored_ = false;    // as a float: then whole numbers may be rounded as well
   int most_decimals_ = -1000;  // of text; far below any, since no double has such a unit
   int most_significant_ = 0;
   int top_decade_ = -1000;  // decade: power of ten of the leading digit

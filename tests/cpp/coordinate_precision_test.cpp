@@ -48,7 +48,7 @@ TEST(WrittenDigits, CountsZerosThatAreWritten) {
 TEST(CoordinatePrecision, IsHalfAUnitOfTheLastDecimal) {
   EXPECT_DOUBLE_EQ(error_of({"0", "1.41202", "0.53934", "-0.5"}), 5e-6);
   EXPECT_DOUBLE_EQ(error_of({"1.4", "0.5", "0.9"}), 0.05);
-  EXPECT_DOUBLE_EQ(error_of({"100", "0.25", "0"}), 0.005);
+  EXPECT_DOUBLE_EQ(error_of({"100", "0.35", "0"}), 0.005);
   for (int decimals = 1; decimals <= 9; ++decimals) {
     const std::string format = "%." + std::to_string(decimals) + "f";
     EXPECT_NEAR(error_of_printed(format.c_str()) / (0.5 * std::pow(10.0, -decimals)), 1, 1e-12);
@@ -57,7 +57,7 @@ TEST(CoordinatePrecision, IsHalfAUnitOfTheLastDecimal) {
 
 TEST(CoordinatePrecision, TakesExponentsIntoAccount) {
   EXPECT_DOUBLE_EQ(error_of({"1.41202e-6", "0.53934e-6"}), 5e-12);
-  EXPECT_DOUBLE_EQ(error_of({"1.25e4", "0.5"}), 0.05);
+  EXPECT_DOUBLE_EQ(error_of({"1.25e4", "0.6"}), 0.05);
 }
 
 TEST(CoordinatePrecision, IsThatOfTheLargestNumberForSignificantDigits) {
@@ -78,7 +78,9 @@ TEST(CoordinatePrecision, KnowsSinglePrecisionThatIsPrintedInFull) {
   EXPECT_EQ(precision.rounding_error(), std::ldexp(1.0, 6 - 24));
 }
 
-TEST(CoordinatePrecision, TakesWholeNumbersAsExact) {
+TEST(CoordinatePrecision, TakesWholeNumbersAndBinaryFractionsAsExact) {
+  EXPECT_EQ(error_of({"0.5", "-10.25", "3.125", "1"}), std::ldexp(1.0, 3 - 53));
+  EXPECT_DOUBLE_EQ(error_of({"0.5", "-10.25", "3.125", "1.1"}), 5e-4);
   EXPECT_EQ(error_of({"0", "1", "30", "-20"}), std::ldexp(1.0, 4 - 53));
   EXPECT_EQ(error_of({"1.000000e+00", "30.0"}), std::ldexp(1.0, 4 - 53));
 }
