@@ -12,8 +12,9 @@ namespace {
 
 bool is_line_break(char c) { return c == '\n' || c == '\r'; }
 
-// Control characters count as blanks, so that stray NULs do not glue words together.
-bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' && !is_line_break(c); }
+// Other control characters belong to words, so that none splits a number. DOS ended texts with
+// the control character 26.
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A'; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 

@@ -12,7 +12,7 @@ enum class LineContinuation { kNone, kBackslash };
 
 /// Walks through a text file line by line and word by word, and knows the number of the line.
 ///
-/// Lines end with LF, CR LF or CR; words are separated by blanks and control characters; a word
+/// Lines end with LF, CR LF or CR; words are separated by blanks and tabs; a word
 /// that begins with '#' starts a comment that lasts to the end of the line. A byte order mark is
 /// skipped. With `kBackslash` a line that ends with a backslash goes on in the next one. Refers to
 /// the bytes, which must outlive it; never reads beyond them.
