@@ -41,6 +41,7 @@ class SoupBuilder {
   void note(Repair repair) { soup_.repairs.push_back(std::move(repair)); }
 
   int vertex_count() const { return static_cast<int>(soup_.positions.size()); }
+  int face_count() const { return soup_.face_count(); }
 
   /// \throw InputError ("bad-index", "no-faces") naming the place
   PolygonSoup finish();
