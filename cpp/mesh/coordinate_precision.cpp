@@ -1,6 +1,7 @@
 #include "mesh/coordinate_precision.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,13 @@ namespace {
 /// No double has digits beyond this power of ten, on either side of the point.
 constexpr long long kDecadeLimit = 400;
 
-double half_unit(int decimals) { return 0.5 * std::pow(10.0, -decimals); }
+double half_unit(int decimals) {
+  // Asked for every coordinate: the usual numbers of decimals take no power.
+  static constexpr std::array<double, 10> kUsual = {5e-1, 5e-2, 5e-3, 5e-4, 5e-5,
+                                                    5e-6, 5e-7, 5e-8, 5e-9, 5e-10};
+  if (decimals >= 0 && decimals < static_cast<int>(kUsual.size())) return kUsual[decimals];
+  return 0.5 * std::pow(10.0, -decimals);
+}
 
 /// Half the distance between neighbouring numbers around `value` whose mantissa has `bits` bits.
 double half_spacing(double value, int bits) {
@@ -32,17 +39,17 @@ bool is_chosen(double value) { return 64 * value == std::floor(64 * value); }
 }  // namespace
 
 WrittenDigits written_digits(std::string_view word) {
-  const std::size_t exponent_at = std::min(word.find_first_of("eE"), word.size());
   WrittenDigits digits;
   bool seen_point = false;
-  for (const char c : word.substr(0, exponent_at)) {
-    seen_point = seen_point || c == '.';
-    if (c < '0' || c > '9') continue;
+  std::size_t i = 0;
+  for (; i < word.size() && word[i] != 'e' && word[i] != 'E'; ++i) {
+    seen_point = seen_point || word[i] == '.';
+    if (word[i] < '0' || word[i] > '9') continue;
     if (seen_point) ++digits.decimals;
-    if (c != '0' || digits.significant > 0) ++digits.significant;
+    if (word[i] != '0' || digits.significant > 0) ++digits.significant;
   }
-  if (exponent_at < word.size()) {
-    const long long exponent = parse_integer(word.substr(exponent_at + 1)).value_or(0);
+  if (i < word.size()) {
+    const long long exponent = parse_integer(word.substr(i + 1)).value_or(0);
     digits.decimals -= static_cast<int>(std::clamp(exponent, -kDecadeLimit, kDecadeLimit));
   }
   return digits;
@@ -54,7 +61,7 @@ void CoordinatePrecision::add_text(std::string_view word, double value) {
   const WrittenDigits digits = written_digits(word);
   count_digits(digits);
   all_chosen_ = all_chosen_ && is_chosen(value);
-  add(value, half_unit(digits.decimals));
+  add(value, all_single_ ? half_unit(digits.decimals) : 0);
 }
 
 void CoordinatePrecision::add_single(double value) {

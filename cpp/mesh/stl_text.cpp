@@ -1,5 +1,6 @@
 #include "mesh/stl_text.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -24,6 +25,13 @@ enum class Keyword {
   kNone
 };
 
+/// Whether a word in any case is `lower`; nothing is allocated, since every word is asked.
+bool is_word(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](char c, char l) {
+    return c == l || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == l);
+  });
+}
+
 Keyword keyword_of(std::string_view word) {
   static constexpr std::array<std::pair<std::string_view, Keyword>, 10> kWords = {{
       {"vertex", Keyword::kVertex},
@@ -37,18 +45,23 @@ Keyword keyword_of(std::string_view word) {
       {"color", Keyword::kColour},
       {"colour", Keyword::kColour},
   }};
-  const std::string lower = lower_case(word);
   for (const auto& [name, keyword] : kWords) {
-    if (lower == name) return keyword;
+    if (is_word(word, name)) return keyword;
   }
   return Keyword::kNone;
 }
 
-/// The next word, where "end facet" is one word.
-std::string next_word(TextScanner& scanner) {
-  const std::string word(scanner.word());
-  if (lower_case(word) != "end") return word;
-  return word + std::string(scanner.word());
+Keyword end_of(Keyword begin) {
+  switch (begin) {
+    case Keyword::kLoop:
+      return Keyword::kEndLoop;
+    case Keyword::kFacet:
+      return Keyword::kEndFacet;
+    case Keyword::kSolid:
+      return Keyword::kEndSolid;
+    default:
+      return Keyword::kNone;
+  }
 }
 
 /// Skips a solid's name, which may be anything, up to the end of the line or to the first facet.
@@ -56,19 +69,19 @@ void skip_name(TextScanner& scanner) {
   for (TextScanner ahead = scanner; !ahead.word_in_line().empty(); scanner = ahead) {
     TextScanner inside = scanner;
     if (keyword_of(inside.word_in_line()) != Keyword::kFacet) continue;
-    if (lower_case(inside.word_in_line()) == "normal") return;
+    if (is_word(inside.word_in_line(), "normal")) return;
   }
   scanner.next_line();
 }
 
 /// Skips a normal, which is often zero, wrong, NaN or missing, and never needed.
 void skip_normal(TextScanner& scanner) {
-  for (TextScanner ahead = scanner; !ahead.word_in_line().empty(); scanner = ahead) {
-    TextScanner inside = scanner;
-    if (keyword_of(inside.word_in_line()) != Keyword::kNone) return;
+  TextScanner ahead = scanner;
+  for (std::string_view word = ahead.word_in_line(); !word.empty(); word = ahead.word_in_line()) {
+    if (keyword_of(word) != Keyword::kNone) return;
+    scanner = ahead;
   }
-  for (TextScanner ahead = scanner; parse_number(ahead.word()); scanner = ahead) {
-  }
+  while (parse_number(ahead.word())) scanner = ahead;
 }
 
 class StlText {
@@ -76,8 +89,8 @@ class StlText {
   explicit StlText(std::span<const std::byte> bytes) : scanner_(bytes) {}
 
   PolygonSoup read() {
-    for (std::string word = next_word(scanner_); !word.empty(); word = next_word(scanner_)) {
-      take(keyword_of(word), word);
+    for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
+      take(is_word(word, "end") ? end_of(keyword_of(scanner_.word())) : keyword_of(word), word);
     }
     if (in_face_) fail_unexpected("");
     if (in_solid_) {

@@ -1,8 +1,8 @@
 #include "mesh/text_encoding.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "mesh/byte_reader.h"
 #include "mesh/input_error.h"
@@ -110,9 +110,10 @@ std::span<const std::byte> to_utf8(std::span<const std::byte> bytes, std::string
 }
 
 void refuse_nul(std::span<const std::byte> text) {
-  const auto nul = std::find(text.begin(), text.end(), std::byte{0});
-  if (nul == text.end()) return;
-  TextScanner scanner(text.first(nul - text.begin() + 1));
+  const std::string_view view(reinterpret_cast<const char*>(text.data()), text.size());
+  const std::size_t nul = view.find('\0');
+  if (nul == std::string_view::npos) return;
+  TextScanner scanner(text.first(nul + 1));
   while (scanner.next_line()) {
   }
   throw InputError("bad-text", "line " + std::to_string(scanner.line()) +
