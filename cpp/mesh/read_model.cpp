@@ -1,5 +1,6 @@
 #include "mesh/read_model.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -27,9 +28,14 @@ constexpr std::array<FormatEntry, 4> kFormats = {{{ModelFormat::kObj, "obj", "OB
 
 constexpr const char* kFormatsThatAreRead = "; OBJ, STL, OFF and PLY are";
 
+bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); }
+
+/// The ending in lower case; empty when what follows the last point is not like one: "v1.2 final".
 std::string ending_of(std::string_view file_name) {
   const std::size_t dot = file_name.rfind('.');
-  return dot == std::string_view::npos ? "" : lower_case(file_name.substr(dot + 1));
+  if (dot == std::string_view::npos) return "";
+  std::string ending = lower_case(file_name.substr(dot + 1));
+  return std::all_of(ending.begin(), ending.end(), is_letter_or_digit) ? ending : "";
 }
 
 const FormatEntry* entry_of_ending(std::string_view ending) {
@@ -48,11 +54,10 @@ const FormatEntry* entry_of_contents(std::span<const std::byte> bytes) {
 }
 
 [[noreturn]] void fail_unknown(const std::string& ending) {
-  throw InputError(
-      "unknown-format",
-      (ending.empty() ? "neither the file's contents nor an ending of its name tell its format"
-                      : "files that end in " + foldwright::quoted("." + ending) + " are not read") +
-          std::string(kFormatsThatAreRead));
+  const std::string what =
+      ending.empty() ? "neither the file's contents nor an ending of its name tell its format"
+                     : "files that end in '." + ending + "' are not read";
+  throw InputError("unknown-format", what + kFormatsThatAreRead);
 }
 
 void refuse_foreign(std::span<const std::byte> bytes) {

@@ -58,8 +58,8 @@ PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
                                       ": the file ends here, but its header announces " +
                                       std::to_string(announced) + " triangles");
   }
-  // Exporters that stream their output leave any count before whole triangles.
-  const bool wrong_count = announced != present && ends_whole;
+  // Exporters that stream their output leave any count before whole triangles, mostly 0.
+  const bool wrong_count = announced != present && (ends_whole || announced == 0);
   const long long count = wrong_count ? present : announced;
   SoupBuilder builder(0);
   for (long long t = 1; t <= count; ++t) add_triangle(reader, builder, t);
@@ -68,7 +68,8 @@ PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
                   "the header announces " + std::to_string(announced) +
                       " triangles, but the file has " + std::to_string(present) +
                       ", which were all read"});
-  } else if (reader.left() > 0) {
+  }
+  if (reader.left() > 0) {
     builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left())),
                   std::to_string(reader.left()) + " bytes after the last triangle were ignored"});
   }

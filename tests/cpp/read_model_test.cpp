@@ -72,6 +72,12 @@ TEST(ReadModel, GoesByTheContentsAndReportsAnotherEnding) {
             "the file is named .stl, but holds OBJ");
 }
 
+TEST(ReadModel, TakesNoOtherPartOfANameForAnEnding) {
+  for (const char* name : {"v1.2 final", "dir.obj/part", "a.", "b.\n"}) {
+    EXPECT_TRUE(read_text(kTriangle, name).repairs.empty()) << name;
+  }
+}
+
 TEST(ReadModel, NamesCommonFormatsThatAreNotRead) {
   const std::pair<std::string, const char*> cases[] = {
       {whole("glTF\2\0\0\0"), "a GLB (binary glTF) model"},

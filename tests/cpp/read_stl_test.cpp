@@ -46,6 +46,13 @@ TEST(ReadStl, ReadsAllTrianglesBehindAStaleCount) {
   }
 }
 
+TEST(ReadStl, ReadsAllTrianglesBetweenNoCountAndTrailingBytes) {
+  const PolygonSoup soup = read_text(binary_stl(0, 3) + "trailer", "a.stl");
+  EXPECT_EQ(soup.face_count(), 3);
+  EXPECT_EQ(repair_named(soup.repairs, "wrong-count").count, 3);
+  EXPECT_EQ(repair_named(soup.repairs, "trailing-bytes").count, 7);
+}
+
 TEST(ReadStl, ReportsTrailingBytes) {
   const PolygonSoup soup = read_text(binary_stl(2, 2) + "trailer", "a.stl");
   EXPECT_EQ(soup.face_count(), 2);
