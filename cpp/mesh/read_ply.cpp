@@ -191,6 +191,7 @@ void read_list(PlyData& data, const PlyProperty& property, Role role, SoupBuilde
 }
 
 void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder) {
+  if (element.count == 0) return;  // then it may lack properties, too
   const std::vector<Role> roles = roles_of(element);
   // Without properties an element has no bytes, and its count may be anything.
   if (element.properties.empty()) return;

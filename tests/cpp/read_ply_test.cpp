@@ -81,6 +81,14 @@ TEST(ReadPly, IgnoresTheCountOfAnElementWithoutProperties) {
   EXPECT_EQ(read_text(text, "a.ply").face_count(), 1);
 }
 
+TEST(ReadPly, AsksNothingOfElementsThatAreEmpty) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 0\nend_header\n0 0 0\n";
+  EXPECT_EQ(refusal(header, "a.ply"),
+            "the file has vertices but no faces; points and lines alone cannot be unfolded");
+}
+
 TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply"),
             "line 3: the file ends before 'end_header'");
