@@ -22,6 +22,9 @@ struct PolygonSoup {
   std::vector<int> corners;
   std::vector<int> first_corner = {0};  ///< one more entry than faces
   std::vector<Repair> repairs;          ///< what the reader itself had to put up with
+  /// Largest rounding error of a coordinate, in model units, as estimated by CoordinatePrecision
+  /// from how the file writes its numbers; 0 for a soup that was not read from a file.
+  double precision = 0;
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 };

@@ -1,31 +1,92 @@
 #include "mesh/read_model.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "mesh/formats.h"
 #include "mesh/input_error.h"
+#include "mesh/model_format.h"
+#include "mesh/stl_binary.h"
+#include "mesh/text_encoding.h"
 #include "mesh/text_scanner.h"
 
 namespace foldwright {
+namespace {
+
+struct FormatEntry {
+  ModelFormat format;
+  const char* ending;
+  const char* name;
+  PolygonSoup (*read)(std::span<const std::byte>);
+};
+
+constexpr std::array<FormatEntry, 4> kFormats = {{{ModelFormat::kObj, "obj", "OBJ", read_obj},
+                                                  {ModelFormat::kStl, "stl", "STL", read_stl},
+                                                  {ModelFormat::kOff, "off", "OFF", read_off},
+                                                  {ModelFormat::kPly, "ply", "PLY", read_ply}}};
+
+constexpr const char* kFormatsThatAreRead = "; OBJ, STL, OFF and PLY are";
+
+bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); }
+
+/// The ending in lower case; empty when what follows the last point is not like one: "v1.2 final".
+std::string ending_of(std::string_view file_name) {
+  const std::size_t dot = file_name.rfind('.');
+  if (dot == std::string_view::npos) return "";
+  std::string ending = lower_case(file_name.substr(dot + 1));
+  return std::all_of(ending.begin(), ending.end(), is_letter_or_digit) ? ending : "";
+}
+
+const FormatEntry* entry_of_ending(std::string_view ending) {
+  for (const FormatEntry& entry : kFormats) {
+    if (ending == entry.ending) return &entry;
+  }
+  return nullptr;
+}
+
+const FormatEntry* entry_of_contents(std::span<const std::byte> bytes) {
+  const std::optional<ModelFormat> format = format_of_contents(bytes);
+  for (const FormatEntry& entry : kFormats) {
+    if (format == entry.format) return &entry;
+  }
+  return nullptr;
+}
+
+[[noreturn]] void fail_unknown(const std::string& ending) {
+  const std::string what =
+      ending.empty() ? "neither the file's contents nor an ending of its name tell its format"
+                     : "files that end in '." + ending + "' are not read";
+  throw InputError("unknown-format", what + kFormatsThatAreRead);
+}
+
+void refuse_foreign(std::span<const std::byte> bytes) {
+  const std::string_view name = foreign_format(bytes);
+  if (name.empty()) return;
+  throw InputError("unknown-format", "the file is " + std::string(name) + ", which is not read" +
+                                         kFormatsThatAreRead);
+}
+
+}  // namespace
 
 PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_name) {
-  const std::size_t dot = file_name.rfind('.');
-  const std::string ending =
-      dot == std::string_view::npos ? "" : lower_case(file_name.substr(dot + 1));
-  const auto reader = ending == "obj"   ? read_obj
-                      : ending == "stl" ? read_stl
-                      : ending == "off" ? read_off
-                      : ending == "ply" ? read_ply
-                                        : nullptr;
-  if (reader == nullptr) {
-    throw InputError(
-        "unknown-format",
-        (ending.empty() ? "a file name without an ending tells no format"
-                        : "files that end in " + quoted("." + ending) + " are not read") +
-            std::string("; OBJ, STL, OFF and PLY are"));
-  }
   if (bytes.empty()) throw InputError("empty-file", "the file is empty");
-  return reader(bytes);
+  std::string text;
+  if (!has_size_of_binary_stl(bytes)) {
+    refuse_foreign(bytes);
+    bytes = to_utf8(bytes, text);
+  }
+  const std::string ending = ending_of(file_name);
+  const FormatEntry* named = entry_of_ending(ending);
+  const FormatEntry* found = entry_of_contents(bytes);
+  if (found == nullptr) found = named;
+  if (found == nullptr) fail_unknown(ending);
+  PolygonSoup soup = found->read(bytes);
+  if (found != named && !ending.empty()) {
+    soup.repairs.push_back(
+        {"other-format", 1, "the file is named ." + ending + ", but holds " + found->name});
+  }
+  return soup;
 }
 
 }  // namespace foldwright

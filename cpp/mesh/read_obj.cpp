@@ -1,6 +1,9 @@
+#include <string>
+
 #include "mesh/formats.h"
 #include "mesh/input_error.h"
 #include "mesh/soup_builder.h"
+#include "mesh/text_encoding.h"
 #include "mesh/text_scanner.h"
 
 namespace foldwright {
@@ -8,12 +11,12 @@ namespace {
 
 Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
 
-double coordinate(TextScanner& scanner) {
+double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   const std::string_view word = scanner.word_in_line();
   if (word.empty()) {
     throw InputError("truncated", prefix(here(scanner)) + "vertex has fewer than 3 coordinates");
   }
-  return number_of(word, scanner.line());
+  return builder.text_coordinate(word, scanner.line());
 }
 
 /// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; only the vertex counts.
@@ -46,23 +49,68 @@ void read_face(TextScanner& scanner, SoupBuilder& builder) {
   builder.end_face(place);
 }
 
+/// What a model may have besides faces; no paper comes of it.
+struct Ignored {
+  int points = 0;
+  int lines = 0;
+  int curves = 0;
+  int surfaces = 0;
+
+  void count(std::string_view keyword) {
+    points += keyword == "p";
+    lines += keyword == "l";
+    curves += keyword == "curv" || keyword == "curv2";
+    surfaces += keyword == "surf";
+  }
+  int total() const { return points + lines + curves + surfaces; }
+};
+
+void append_count(std::string& list, int count, const char* what) {
+  if (count == 0) return;
+  if (!list.empty()) list += ", ";
+  list += std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void note_ignored(const Ignored& ignored, SoupBuilder& builder) {
+  if (ignored.total() == 0) return;
+  std::string list;
+  append_count(list, ignored.points, "point element");
+  append_count(list, ignored.lines, "line element");
+  append_count(list, ignored.curves, "free-form curve");
+  append_count(list, ignored.surfaces, "free-form surface");
+  builder.note({"ignored-elements", ignored.total(), "ignored, since only faces fold: " + list});
+}
+
+/// Says why there is no face where the file has shapes of another kind.
+void require_faces(const Ignored& ignored, const SoupBuilder& builder) {
+  if (builder.face_count() > 0 || ignored.surfaces == 0) return;
+  throw InputError("no-faces",
+                   "the file has free-form surfaces ('surf') but no faces; save it as polygons");
+}
+
 }  // namespace
 
 PolygonSoup read_obj(std::span<const std::byte> bytes) {
+  refuse_nul(bytes);
   TextScanner scanner(bytes, LineContinuation::kBackslash);
   SoupBuilder builder(1);
+  Ignored ignored;
   do {
     const std::string_view keyword = scanner.word_in_line();
     if (keyword == "v") {
       const Place place = here(scanner);
-      const double x = coordinate(scanner);
-      const double y = coordinate(scanner);
-      const double z = coordinate(scanner);
+      const double x = coordinate(scanner, builder);
+      const double y = coordinate(scanner, builder);
+      const double z = coordinate(scanner, builder);
       builder.add_vertex({x, y, z}, place);
     } else if (keyword == "f" || keyword == "fo") {  // "fo": faces of old exporters
       read_face(scanner, builder);
+    } else {
+      ignored.count(keyword);
     }
   } while (scanner.next_line());
+  require_faces(ignored, builder);
+  note_ignored(ignored, builder);
   return builder.finish();
 }
 

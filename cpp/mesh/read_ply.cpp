@@ -6,6 +6,7 @@
 #include "mesh/input_error.h"
 #include "mesh/ply_header.h"
 #include "mesh/soup_builder.h"
+#include "mesh/text_encoding.h"
 
 namespace foldwright {
 namespace {
@@ -41,6 +42,17 @@ class PlyData {
         return reader_.read<double>();
     }
     return 0;
+  }
+
+  /// A coordinate, which counts for the precision of the model.
+  double coordinate(PlyType type, SoupBuilder& builder) {
+    if (is_ascii_) {
+      const std::string_view word = scanner_.number_word();
+      return builder.text_coordinate(word, scanner_.line());
+    }
+    const double number = value(type);
+    return type == PlyType::kFloat32 ? builder.single_coordinate(number)
+                                     : builder.double_coordinate(number);
   }
 
   /// A list's length or a vertex's index. Floats are not unheard of, and every index is exact in
@@ -83,7 +95,24 @@ class PlyData {
 };
 
 /// What becomes of a property's values.
-enum class Role { kX, kY, kZ, kCorners, kSkipped };
+enum class Role { kX, kY, kZ, kCorners, kStrips, kSkipped };
+
+bool is_whole(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
+
+/// The list with the vertices of a face or strip: by its usual names, else the only list of whole
+/// numbers; null when there is none.
+const PlyProperty* vertex_list(const PlyElement& element) {
+  const PlyProperty* only = nullptr;
+  int lists = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (!property.count_type) continue;
+    if (property.name == "vertex_indices" || property.name == "vertex_index") return &property;
+    if (!is_whole(property.type)) continue;
+    only = &property;
+    ++lists;
+  }
+  return lists == 1 ? only : nullptr;
+}
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
   if (element.name == "vertex" && !property.count_type) {
@@ -91,10 +120,8 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
     if (property.name == "y") return Role::kY;
     if (property.name == "z") return Role::kZ;
   }
-  if (element.name == "face" && property.count_type &&
-      (property.name == "vertex_indices" || property.name == "vertex_index")) {
-    return Role::kCorners;
-  }
+  if (element.name == "face" && &property == vertex_list(element)) return Role::kCorners;
+  if (element.name == "tristrips" && &property == vertex_list(element)) return Role::kStrips;
   return Role::kSkipped;
 }
 
@@ -114,19 +141,57 @@ std::vector<Role> roles_of(const PlyElement& element) {
     require(Role::kZ, "'z'");
   } else if (element.name == "face") {
     require(Role::kCorners, "'vertex_indices' that is a list");
+  } else if (element.name == "tristrips") {
+    require(Role::kStrips, "'vertex_indices' that is a list");
   }
   return roles;
 }
 
+/// Triangles over a list of vertices, of which each makes one with the two before it. Every other
+/// one is turned over by that, and turned back here; a number that is no vertex ends a strip.
+class TriangleStrips {
+ public:
+  TriangleStrips(SoupBuilder& builder, const Place& place) : builder_(builder), place_(place) {}
+
+  void add(long long vertex) {
+    constexpr long long kMinusOneUnsigned = 0xFFFFFFFF;  // written by programs without signs
+    if (vertex < 0 || vertex == kMinusOneUnsigned) {
+      length_ = 0;
+      return;
+    }
+    ++length_;
+    // Strips are joined by vertices that are given twice: no triangle is meant there.
+    if (length_ >= 3 && first_ != second_ && first_ != vertex && second_ != vertex) {
+      const bool is_turned = length_ % 2 == 0;
+      builder_.add_corner(is_turned ? second_ : first_);
+      builder_.add_corner(is_turned ? first_ : second_);
+      builder_.add_corner(vertex);
+      builder_.end_face(place_);
+    }
+    first_ = second_;
+    second_ = vertex;
+  }
+
+ private:
+  SoupBuilder& builder_;
+  Place place_;
+  long long length_ = 0;  // of the strip so far
+  long long first_ = 0;   // the two vertices before
+  long long second_ = 0;
+};
+
 void read_list(PlyData& data, const PlyProperty& property, Role role, SoupBuilder& builder) {
   const long long count = data.integer(*property.count_type);
+  TriangleStrips strips(builder, data.place());
   for (long long i = 0; i < count; ++i) {
     const long long value = data.integer(property.type);
     if (role == Role::kCorners) builder.add_corner(value);
+    if (role == Role::kStrips) strips.add(value);
   }
 }
 
 void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder) {
+  if (element.count == 0) return;  // then it may lack properties, too
   const std::vector<Role> roles = roles_of(element);
   // Without properties an element has no bytes, and its count may be anything.
   if (element.properties.empty()) return;
@@ -139,8 +204,11 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
         read_list(data, property, roles[p], builder);
         continue;
       }
-      const double value = data.value(property.type);
-      if (roles[p] <= Role::kZ) position[static_cast<int>(roles[p])] = value;
+      if (roles[p] <= Role::kZ) {
+        position[static_cast<int>(roles[p])] = data.coordinate(property.type, builder);
+      } else {
+        data.value(property.type);
+      }
     }
     if (element.name == "vertex") builder.add_vertex(position, data.place());
     if (element.name == "face") builder.end_face(data.place());
@@ -152,6 +220,8 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
 PolygonSoup read_ply(std::span<const std::byte> bytes) {
   TextScanner scanner(bytes);
   const PlyHeader header = read_ply_header(scanner);
+  const bool is_ascii = header.encoding == PlyEncoding::kAscii;
+  refuse_nul(is_ascii ? bytes : bytes.first(scanner.position()));
   PlyData data(scanner, bytes, header.encoding);
   SoupBuilder builder(0);
   for (const PlyElement& element : header.elements) read_element(data, element, builder);

@@ -3,11 +3,28 @@
 #include <utility>
 
 #include "mesh/input_error.h"
+#include "mesh/text_scanner.h"
 
 namespace foldwright {
 
 std::string prefix(const Place& place) {
   return place.unit + (" " + std::to_string(place.number)) + ": ";
+}
+
+double SoupBuilder::text_coordinate(std::string_view word, int line) {
+  const double value = number_of(word, line);
+  precision_.add_text(word, value);
+  return value;
+}
+
+double SoupBuilder::single_coordinate(double value) {
+  precision_.add_single(value);
+  return value;
+}
+
+double SoupBuilder::double_coordinate(double value) {
+  precision_.add_double(value);
+  return value;
 }
 
 void SoupBuilder::add_vertex(const Vec3& position, const Place& place) {
@@ -42,6 +59,7 @@ PolygonSoup SoupBuilder::finish() {
       soup_.corners.push_back(static_cast<int>(index));
     }
   }
+  soup_.precision = precision_.rounding_error();
   return std::move(soup_);
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/coordinate_precision.h"
 #include "mesh/polygon_soup.h"
 
 namespace foldwright {
@@ -23,6 +24,13 @@ class SoupBuilder {
   /// `first_index`: the number of the first vertex in the format, 0 or 1.
   explicit SoupBuilder(int first_index) : first_index_(first_index) {}
 
+  /// A coordinate that is written as text; how finely it is written counts for the precision.
+  /// \throw InputError ("bad-number") naming the line
+  double text_coordinate(std::string_view word, int line);
+  /// A coordinate that is stored as a float, or as a double or a whole number.
+  double single_coordinate(double value);
+  double double_coordinate(double value);
+
   /// \throw InputError ("not-finite") when a coordinate is NaN or infinite
   void add_vertex(const Vec3& position, const Place& place);
   /// Adds a corner to the face being collected; `index` counts vertices as the format does. Whether
@@ -33,6 +41,7 @@ class SoupBuilder {
   void note(Repair repair) { soup_.repairs.push_back(std::move(repair)); }
 
   int vertex_count() const { return static_cast<int>(soup_.positions.size()); }
+  int face_count() const { return soup_.face_count(); }
 
   /// \throw InputError ("bad-index", "no-faces") naming the place
   PolygonSoup finish();
@@ -40,6 +49,7 @@ class SoupBuilder {
  private:
   int first_index_;
   PolygonSoup soup_;
+  CoordinatePrecision precision_;
   std::vector<long long> corners_;
   std::vector<Place> places_;  // per face
 };

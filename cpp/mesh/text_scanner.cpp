@@ -12,8 +12,9 @@ namespace {
 
 bool is_line_break(char c) { return c == '\n' || c == '\r'; }
 
-// Control characters count as blanks, so that stray NULs do not glue words together.
-bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' && !is_line_break(c); }
+// Other control characters belong to words, so that none splits a number. DOS ended texts with
+// the control character 26.
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A'; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -74,24 +75,42 @@ std::optional<Decimal> parse_decimal(std::string_view word) {
 }
 
 double value_of(const Decimal& decimal) {
-  if (decimal.digits.empty()) return 0;
+  // strtod expects the locale's decimal point; a number without any has no such trouble.
+  const std::string text = '0' + decimal.digits + 'e' + std::to_string(decimal.exponent);
+  const double magnitude = std::strtod(text.c_str(), nullptr);
+  return decimal.negative ? -magnitude : magnitude;
+}
+
+/// A number of few digits, as nearly every number in a model file is; empty for all others.
+std::optional<double> parse_short(std::string_view word) {
   // Both factors are exact up to these bounds, so that one correctly rounded operation gives the
-  // nearest double (Clinger 1990). Nearly every number in a model file takes this way.
+  // nearest double (Clinger 1990).
   constexpr std::size_t kExactDigits = 15;
   constexpr int kExactPower = 22;
   static constexpr double kPowers[kExactPower + 1] = {
       1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  if (decimal.digits.size() <= kExactDigits && std::abs(decimal.exponent) <= kExactPower) {
-    long long mantissa = 0;
-    for (const char digit : decimal.digits) mantissa = 10 * mantissa + (digit - '0');
-    const double value = static_cast<double>(mantissa);
-    return decimal.exponent < 0 ? value / kPowers[-decimal.exponent]
-                                : value * kPowers[decimal.exponent];
+  const bool is_negative = word.starts_with('-');
+  if (is_negative || word.starts_with('+')) word.remove_prefix(1);
+  long long mantissa = 0;
+  long long exponent = 0;
+  std::size_t i = 0;
+  std::size_t digits = 0;
+  bool seen_point = false;
+  for (; i < word.size() && (is_digit(word[i]) || (word[i] == '.' && !seen_point)); ++i) {
+    if (word[i] == '.') {
+      seen_point = true;
+      continue;
+    }
+    if (++digits > kExactDigits) return std::nullopt;
+    mantissa = 10 * mantissa + (word[i] - '0');
+    exponent -= seen_point;
   }
-  // strtod expects the locale's decimal point; a number without any has no such trouble.
-  const std::string text = decimal.digits + 'e' + std::to_string(decimal.exponent);
-  return std::strtod(text.c_str(), nullptr);
+  if (digits == 0 || !parse_exponent(word.substr(i), exponent)) return std::nullopt;
+  if (std::abs(exponent) > kExactPower) return std::nullopt;
+  const double value = static_cast<double>(mantissa);
+  const double magnitude = exponent < 0 ? value / kPowers[-exponent] : value * kPowers[exponent];
+  return is_negative ? -magnitude : magnitude;
 }
 
 /// "nan", "-inf", "1.#QNAN" and the like.
@@ -165,23 +184,26 @@ bool TextScanner::next_line() {
   return !at_end();
 }
 
-double TextScanner::number() {
+std::string_view TextScanner::number_word() {
   const std::string_view found = word();
   if (found.empty()) fail_at_end(line_);
+  return found;
+}
+
+double TextScanner::number() {
+  const std::string_view found = number_word();
   return number_of(found, line_);
 }
 
 long long TextScanner::integer() {
-  const std::string_view found = word();
-  if (found.empty()) fail_at_end(line_);
+  const std::string_view found = number_word();
   return integer_of(found, line_);
 }
 
 std::optional<double> parse_number(std::string_view word) {
+  if (const std::optional<double> value = parse_short(word)) return value;
   const std::optional<Decimal> decimal = parse_decimal(word);
-  if (!decimal) return parse_non_finite(word);
-  const double magnitude = value_of(*decimal);
-  return decimal->negative ? -magnitude : magnitude;
+  return decimal ? value_of(*decimal) : parse_non_finite(word);
 }
 
 std::optional<long long> parse_integer(std::string_view word) {

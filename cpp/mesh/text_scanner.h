@@ -12,7 +12,7 @@ enum class LineContinuation { kNone, kBackslash };
 
 /// Walks through a text file line by line and word by word, and knows the number of the line.
 ///
-/// Lines end with LF, CR LF or CR; words are separated by blanks and control characters; a word
+/// Lines end with LF, CR LF or CR; words are separated by blanks and tabs; a word
 /// that begins with '#' starts a comment that lasts to the end of the line. A byte order mark is
 /// skipped. With `kBackslash` a line that ends with a backslash goes on in the next one. Refers to
 /// the bytes, which must outlive it; never reads beyond them.
@@ -34,6 +34,9 @@ class TextScanner {
   /// Offset of the next byte to be read, for files that go on in binary.
   std::size_t position() const { return position_; }
 
+  /// Next word, on whatever line, where a number is expected.
+  /// \throw InputError ("truncated") naming the line
+  std::string_view number_word();
   /// Next word, on whatever line, as a number. NaN and infinities pass.
   /// \throw InputError ("bad-number", "truncated") naming the line
   double number();

@@ -205,12 +205,12 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
   JobOptions wide_margin;
   wide_margin.sheet.margin = 200;
   const std::string good = obj_of(cube());
-  for (const Case& c :
-       {Case{"no model at all", "model.obj", {}, "no-faces"},
-        Case{"", "model.stl", {}, "empty-file"}, Case{good, "model.xyz", {}, "unknown-format"},
-        Case{"v 0 0 0\nf 1 2 3\n", "model.obj", {}, "bad-index"},
-        Case{good, "model.obj", {.runs = 0}, "bad-option"},
-        Case{good, "model.obj", wide_margin, "bad-option"}}) {
+  for (const Case& c : {Case{"no model at all", "model.obj", {}, "no-faces"},
+                        Case{"", "model.stl", {}, "empty-file"},
+                        Case{"no model at all", "model.xyz", {}, "unknown-format"},
+                        Case{"v 0 0 0\nf 1 2 3\n", "model.obj", {}, "bad-index"},
+                        Case{good, "model.obj", {.runs = 0}, "bad-option"},
+                        Case{good, "model.obj", wide_margin, "bad-option"}}) {
     SCOPED_TRACE(c.text.substr(0, 20) + " " + c.name);
     const Outcome outcome = run_file(c.text, c.name, c.options);
     EXPECT_EQ(outcome.result, nullptr);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "encodings.h"
 #include "geometry/random.h"
 #include "model_text.h"
 
@@ -15,10 +18,11 @@ TEST(ReadModel, GoesByTheEndingInAnyCase) {
 }
 
 TEST(ReadModel, NamesTheFormatsThatAreRead) {
-  EXPECT_EQ(refusal(kTriangle, "a.glb"),
-            "files that end in '.glb' are not read; OBJ, STL, OFF and PLY are");
-  EXPECT_EQ(refusal(kTriangle, "triangle"),
-            "a file name without an ending tells no format; OBJ, STL, OFF and PLY are");
+  EXPECT_EQ(refusal("no model", "a.xyz"),
+            "files that end in '.xyz' are not read; OBJ, STL, OFF and PLY are");
+  EXPECT_EQ(refusal("no model", "triangle"),
+            "neither the file's contents nor an ending of its name tell its format; OBJ, STL, OFF "
+            "and PLY are");
 }
 
 TEST(ReadModel, RefusesAnEmptyFile) { EXPECT_EQ(refusal("", "a.obj"), "the file is empty"); }
@@ -45,7 +49,121 @@ const std::pair<const char*, std::string> kSamples[] = {
     {"b.ply", whole("ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\n"
                     "property uchar y\nproperty uchar z\nelement face 1\nproperty list uchar uchar "
                     "vertex_index\nend_header\n\0\0\0\1\0\0\0\1\0\3\0\1\2")},
+    {"b.stl", std::string(80, ' ') + whole("\1\0\0\0") + std::string(24, '\0') +
+                  whole("\0\0\x80?\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80?\0\0\0\0\0\0")},
+    {"b.off", whole("OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0") + std::string(12, '\0') +
+                  whole("?\x80\0\0\0\0\0\0\0\0\0\0\0\0\0\0?\x80\0\0\0\0\0\0") +
+                  whole("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0")},
 };
+
+TEST(ReadModel, GoesByTheContentsAndReportsAnotherEnding) {
+  for (const auto& [name, sample] : kSamples) {
+    const int faces = read_text(sample, name).face_count();
+    for (const char* other : {"x.obj", "x.stl", "x.off", "x.ply", "x.glb", "x.txt"}) {
+      SCOPED_TRACE(std::string(name) + " as " + other);
+      const PolygonSoup soup = read_text(sample, other);
+      EXPECT_EQ(soup.face_count(), faces);
+      const bool is_same = std::string_view(name).substr(1) == std::string_view(other).substr(1);
+      EXPECT_EQ(repair_named(soup.repairs, "other-format").count, is_same ? 0 : 1);
+    }
+    EXPECT_EQ(read_text(sample, "no_ending").repairs.size(), 0u) << name;
+  }
+  EXPECT_EQ(repair_named(read_text(kTriangle, "a.STL").repairs, "other-format").text,
+            "the file is named .stl, but holds OBJ");
+}
+
+TEST(ReadModel, TakesNoOtherPartOfANameForAnEnding) {
+  for (const char* name : {"v1.2 final", "dir.obj/part", "a.", "b.\n"}) {
+    EXPECT_TRUE(read_text(kTriangle, name).repairs.empty()) << name;
+  }
+}
+
+TEST(ReadModel, NamesCommonFormatsThatAreNotRead) {
+  const std::pair<std::string, const char*> cases[] = {
+      {whole("glTF\2\0\0\0"), "a GLB (binary glTF) model"},
+      {"{\"asset\": {\"version\": \"2.0\"}}", "a glTF model"},
+      {"PK\3\4 3D/3dmodel.model", "a 3MF model"},
+      {"PK\3\4 model.obj", "a ZIP archive"},
+      {"%PDF-1.7", "a PDF document"},
+      {"\x89PNG\r\n", "a PNG picture"},
+      {whole("Kaydara FBX Binary  \0"), "an FBX model"},
+      {whole("MM\x0A\0\0\0\2\0\0\0"), "a 3DS model"},
+      {"\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<COLLADA>", "a COLLADA (DAE) model"},
+      {"<?xml version=\"1.0\"?>\n<a/>", "an XML document"},
+      {"<!DOCTYPE html>\n<html>", "a web page"},
+      {"ISO-10303-21;", "a STEP model"},
+      {"BLENDER-v279", "a Blender project"},
+  };
+  for (const auto& [contents, name] : cases) {
+    for (const char* file_name : {"a.obj", "a.stl", "a.bin"}) {
+      EXPECT_EQ(refusal(contents, file_name), "the file is " + std::string(name) +
+                                                  ", which is not read; OBJ, STL, OFF and PLY are");
+    }
+  }
+}
+
+TEST(ReadModel, TakesTextInAnyEncoding) {
+  for (const auto& [name, sample] : kSamples) {
+    if (sample.find(whole("\0")) != std::string::npos) continue;
+    const PolygonSoup plain = read_text(sample, name);
+    const std::u32string marked = U"\uFEFF" + std::u32string(sample.begin(), sample.end());
+    std::vector<std::string> variants = {"\xEF\xBB\xBF" + sample};
+    for (const TextEncoding encoding : kWideEncodings) {
+      variants.push_back(encoded_ascii(sample, encoding));
+      variants.push_back(encoded(marked, encoding));
+    }
+    for (const std::string& variant : variants) {
+      const PolygonSoup soup = read_text(variant, name);
+      EXPECT_EQ(soup.positions, plain.positions) << name;
+      EXPECT_EQ(soup.corners, plain.corners) << name;
+      EXPECT_TRUE(soup.repairs.empty()) << name;
+    }
+  }
+}
+
+TEST(ReadModel, TakesNamesAndCommentsOfAnyBytes) {
+  const std::string latin1 = "Gr\xF6\xDF\x85\xA0\xFF";
+  EXPECT_EQ(refusal("# " + latin1 + "\no " + latin1 + "\n" + kTriangle, "a.obj"), "");
+  EXPECT_EQ(refusal("OFF # " + latin1 + "\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off"), "");
+  EXPECT_EQ(refusal("solid " + latin1 + kSamples[2].second.substr(7), "a.stl"), "");
+  std::string ply = kSamples[3].second;
+  ply.insert(ply.find("element"), "comment " + latin1 + "\n");
+  EXPECT_EQ(refusal(ply, "a.ply"), "");
+}
+
+TEST(ReadModel, RefusesNulInTextAndNamesTheLine) {
+  for (const auto& [name, sample] : kSamples) {
+    if (sample.find(whole("\0")) != std::string::npos) continue;
+    const auto with_nul = [](std::string text) {
+      text.insert(text.rfind(" 0"), 1, '\0');
+      return text;
+    };
+    const std::string damaged = with_nul(sample);
+    const auto before = damaged.begin() + static_cast<long>(damaged.find('\0'));
+    const std::string expected = "line " +
+                                 std::to_string(1 + std::count(damaged.begin(), before, '\n')) +
+                                 ": a NUL byte stands in the text; the file is damaged";
+    EXPECT_EQ(refusal(damaged, name), expected) << name;
+    EXPECT_EQ(refusal(encoded_ascii(damaged, TextEncoding::kUtf16Le), name), expected) << name;
+  }
+}
+
+TEST(ReadModel, RefusesControlCharactersInNumbers) {
+  EXPECT_EQ(refusal("v 0 0 0\nv 2\x01"
+                    "0 0 0\nv 0 1 0\nf 1 2 3\n",
+                    "a.obj"),
+            "line 2: '2?0' stands where a number is expected");
+  EXPECT_EQ(refusal(kTriangle + "\x1A", "a.obj"), "");  // as DOS ended its texts
+}
+
+TEST(ReadModel, SurvivesTheEndAtAnyByte) {
+  for (const auto& [name, sample] : kSamples) {
+    for (std::size_t size = 0; size < sample.size(); ++size) {
+      // Either what is there is whole, or one sentence says what is missing.
+      EXPECT_EQ(refusal(sample.substr(0, size), name).find('\n'), std::string::npos) << size;
+    }
+  }
+}
 
 TEST(ReadModel, SurvivesAnyDamage) {
   for (const auto& [name, sample] : kSamples) {

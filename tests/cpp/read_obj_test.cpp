@@ -39,8 +39,10 @@ TEST(ReadObj, AllowsVerticesAfterTheirFace) {
 
 TEST(ReadObj, SkipsWhatIsNoFace) {
   const std::string rest =
-      "# comment\nmtllib a.mtl\nvt 0 0\nvn 0 0 x\nusemtl # 1\np 1\nl 1 99\ns off\nf 1 2 3\n";
-  EXPECT_EQ(read_text(kSquare + rest, "square.obj").face_count(), 1);
+      "# comment\nmtllib a.mtl\nvt 0 0\nvn 0 0 x\nusemtl # 1\ns off\nvp 0.5\nf 1 2 3\n";
+  const PolygonSoup soup = read_text(kSquare + rest, "square.obj");
+  EXPECT_EQ(soup.face_count(), 1);
+  EXPECT_TRUE(soup.repairs.empty());
 }
 
 TEST(ReadObj, IgnoresWeightsAndColours) {
@@ -79,6 +81,35 @@ TEST(ReadObj, NamesTheLineOfWhatIsWrong) {
 TEST(ReadObj, RefusesPointsAndLinesAlone) {
   EXPECT_EQ(refusal(kSquare + "p 1\nl 1 2\n", "a.obj"),
             "the file has vertices but no faces; points and lines alone cannot be unfolded");
+}
+
+TEST(ReadObj, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_DOUBLE_EQ(
+      read_text("v 0 1.41202 0.53934\nv 0.5 0 0\nv 0 0 1 0.123456789\nf 1 2 3\n", "a.obj")
+          .precision,
+      5e-6);
+}
+
+TEST(ReadObj, ReportsShapesThatAreNoFaces) {
+  const PolygonSoup soup = read_text(
+      kSquare + "f 1 2 3\np 1\nl 1 99\nl 1 2\ncurv 0 1 1 2\ncurv2 1 2\nsurf 0 1 0 1 1 2 3 4\n",
+      "square.obj");
+  EXPECT_EQ(soup.face_count(), 1);
+  EXPECT_EQ(repair_named(soup.repairs, "ignored-elements").count, 6);
+  EXPECT_EQ(
+      repair_named(soup.repairs, "ignored-elements").text,
+      "ignored, since only faces fold: 1 point element, 2 line elements, 2 free-form curves, 1 "
+      "free-form surface");
+  EXPECT_EQ(refusal(kSquare + "surf 0 1 0 1 1 2 3 4\n", "square.obj"),
+            "the file has free-form surfaces ('surf') but no faces; save it as polygons");
+}
+
+TEST(ReadObj, TakesNumbersInEverySpelling) {
+  const PolygonSoup soup =
+      read_text("v\t1. .5 1e1 \t\nv +1 -.5e0 1E-2\nv 0 0 0 1\nf  1/2/3   2//4\t3/5 \n", "a.obj");
+  EXPECT_EQ(soup.positions[0], Vec3(1, 0.5, 10));
+  EXPECT_EQ(soup.positions[1], Vec3(1, -0.5, 0.01));
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2}));
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include "model_text.h"
 
 namespace foldwright::testing {
@@ -19,7 +22,9 @@ void expect_body(const PolygonSoup& soup) {
 
 TEST(ReadOff, TakesEveryShapeOfHeader) {
   for (const char* header : {"OFF\n5 2 0\n", "OFF 5 2 0\n", "5 2 0\n", "OFF\n# comment\n\n5 2 0\n",
-                             "OFF # comment\n5 2\n", "COFF\n5 2 0\n", "STCNOFF\n5 2 0\n"}) {
+                             "OFF # comment\n5 2\n", "COFF\n5 2 0\n", "STCNOFF\n5 2 0\n",
+                             "off\n5 2 0\n", "NCOFF\n5 2 0\n", "cnoff\n5 2 0\n", "nOFF\n3\n5 2 0\n",
+                             "nOFF 3 5 2 0\n", "OFF\n# a\n5 2 0 # b\n# c\n\n"}) {
     SCOPED_TRACE(header);
     expect_body(read_text(header + kBody, "a.off"));
   }
@@ -44,9 +49,104 @@ TEST(ReadOff, NamesTheLineOfWhatIsWrong) {
             "line 4: face refers to vertex 1, but the file has 1 vertices, counted from 0");
   EXPECT_EQ(refusal("OFF\n-1 1 0\n", "a.off"), "line 2: the counts must not be negative");
   EXPECT_EQ(refusal("PLY\n", "a.off"), "line 1: an OFF file begins with OFF, this one with 'PLY'");
-  EXPECT_EQ(refusal("4OFF\n", "a.off"),
-            "line 1: '4OFF' files with more than 3 coordinates are not read");
-  EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "line 1: binary OFF files are not read");
+  EXPECT_EQ(refusal("OFF\n", "a.off"), "line 1: the file ends after its header");
+  EXPECT_EQ(refusal("nOFF\n2\n1 1 0\n0 0\n", "a.off"),
+            "the vertices have 2 dimensions; only models with 3 can be unfolded");
+  EXPECT_EQ(refusal("4OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n", "a.off"),
+            "line 3: the fourth coordinate of a vertex must not be 0");
+}
+
+TEST(ReadOff, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_DOUBLE_EQ(
+      read_text("OFF\n3 1 0\n0 0 0.26\n1 0.5 0\n0 1 0\n3 0 1 2 0.1234\n", "a.off").precision, 5e-3);
+}
+
+TEST(ReadOff, DividesByTheFourthCoordinate) {
+  for (const char* keyword : {"4OFF", "4nOFF 3"}) {
+    const PolygonSoup soup =
+        read_text(keyword + std::string("\n3 1 0\n0 0 2 1\n2 0 0 2\n0 1 0 .5\n3 0 1 2\n"), "a.off");
+    EXPECT_EQ(soup.positions[0], Vec3(0, 0, 2));
+    EXPECT_EQ(soup.positions[1], Vec3(1, 0, 0));
+    EXPECT_EQ(soup.positions[2], Vec3(0, 2, 0));
+  }
+}
+
+TEST(ReadOff, TakesLinesBrokenAnywhere) {
+  for (const char* text :
+       {// Everything in one line, with and without the number of edges.
+        "OFF 5 2 0 0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 4 0 1 2 3 3 1 4 2",
+        "OFF 5 2 0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 4 0 1 2 3 3 1 4 2",
+        // One number per line, and comments between.
+        "OFF\n5\n2\n# "
+        "edges\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n0\n1\n0\n2\n0\n0\n4\n0\n1\n2\n3\n3\n1\n4\n2\n",
+        // Several vertices per line, then several faces.
+        "OFF\n5 2 0\n0 0 0 1 0 0\n1 1 0 # comment\n0 1 0 2 0 0\n4 0 1 2 3 3 1 4 2\n",
+        // A normal in the line after its vertex.
+        "NOFF\n5 2 0\n0 0 0\n0 0 1\n1 0 0\n0 0 1\n1 1 0\n0 0 1\n0 1 0\n0 0 1\n2 0 0\n0 0 1\n4 0 1 "
+        "2 3\n3 1 4 2\n",
+        // Colours of vertices (with alpha) and of faces (without), all told.
+        "COFF 5 2 0 0 0 0 9 9 9 1 1 0 0 9 9 9 1 1 1 0 9 9 9 1 0 1 0 9 9 9 1 2 0 0 9 9 9 1\n"
+        "4 0 1 2 3 255 0 0 3 1 4 2 255 0 0\n",
+        // A face that goes on in the next line, with one vertex per line.
+        "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1\n  2 3\n3 1 4 2\n"}) {
+    SCOPED_TRACE(text);
+    const PolygonSoup soup = read_text(text, "a.off");
+    expect_body(soup);
+    EXPECT_EQ(soup.positions[4], Vec3(2, 0, 0));
+    EXPECT_TRUE(soup.repairs.empty());
+  }
+}
+
+TEST(ReadOff, SkipsColoursOfAnyLengthPerLine) {
+  expect_body(
+      read_text("OFF\n5 2 0\n0 0 0 9\n1 0 0 9 9\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3 7\n3 1 4 2 .5 "
+                ".5 .5 1\n",
+                "a.off"));
+}
+
+TEST(ReadOff, ReportsLinesAfterTheLastFace) {
+  const PolygonSoup soup = read_text("OFF\n5 2 0\n" + kBody + "2 0 1\n2 1 2\n", "a.off");
+  expect_body(soup);
+  EXPECT_EQ(repair_named(soup.repairs, "trailing-lines").count, 2);
+}
+
+/// Bytes of a number of 4 bytes, big-endian; the tests run on little-endian machines.
+template <typename T>
+void append_big_endian(std::string& bytes, T value) {
+  static_assert(sizeof value == 4);
+  std::string raw(reinterpret_cast<const char*>(&value), sizeof value);
+  bytes.append(raw.rbegin(), raw.rend());
+}
+
+/// A triangle whose vertices have `extra` numbers after their coordinates.
+std::string binary_off(const std::string& header, int extra) {
+  std::string bytes = header;
+  const auto integer = [&](std::int32_t value) { append_big_endian(bytes, value); };
+  for (const int count : {3, 1, 0}) integer(count);
+  for (const Vec3& position : {Vec3(0, 0, 0.5), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+    for (const double x : position) append_big_endian(bytes, static_cast<float>(x));
+    for (int i = 0; i < extra; ++i) append_big_endian(bytes, 1.0f);
+  }
+  for (const int number : {3, 2, 0, 1, 3}) integer(number);  // corners, then a colour's length
+  for (int i = 0; i < 3; ++i) append_big_endian(bytes, 0.25f);
+  return bytes;
+}
+
+TEST(ReadOff, TakesBinaryFiles) {
+  const std::string dimension("\0\0\0\3", 4);
+  for (const auto& [header, extra] : {std::pair<std::string, int>{"OFF BINARY\n", 0},
+                                      {"STCNOFF BINARY\r\n", 9},
+                                      {"4OFF BINARY\n", 1},
+                                      {"nOFF BINARY\n" + dimension, 0}}) {
+    const PolygonSoup soup = read_text(binary_off(header, extra), "a.off");
+    ASSERT_EQ(soup.face_count(), 1) << header;
+    EXPECT_EQ(corners_of(soup, 0), (Corners{2, 0, 1})) << header;
+    EXPECT_EQ(soup.positions[0], Vec3(0, 0, 0.5)) << header;
+    EXPECT_EQ(soup.precision, std::ldexp(1.0, -24)) << header;
+  }
+  const std::string cut = binary_off("OFF BINARY\n", 0).substr(0, 11 + 12 + 20);
+  EXPECT_EQ(refusal(cut, "a.off"), "vertex 1: the file ends here, but more is announced");
+  EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "the file ends after its header");
 }
 
 }  // namespace

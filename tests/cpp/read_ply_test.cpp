@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "model_text.h"
@@ -80,6 +81,14 @@ TEST(ReadPly, IgnoresTheCountOfAnElementWithoutProperties) {
   EXPECT_EQ(read_text(text, "a.ply").face_count(), 1);
 }
 
+TEST(ReadPly, AsksNothingOfElementsThatAreEmpty) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 0\nend_header\n0 0 0\n";
+  EXPECT_EQ(refusal(header, "a.ply"),
+            "the file has vertices but no faces; points and lines alone cannot be unfolded");
+}
+
 TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply"),
             "line 3: the file ends before 'end_header'");
@@ -97,6 +106,52 @@ TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
                     "a.ply"),
             "element 'vertex' needs one property 'y'");
+}
+
+TEST(ReadPly, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_EQ(read_text(binary_ply(true), "a.ply").precision, std::ldexp(1.0, -24));
+  EXPECT_DOUBLE_EQ(
+      read_text(kAsciiHeader + "0 0 0.5\n1 0.26 0\n0 1 0\n3 0 1 2\n", "a.ply").precision, 5e-3);
+}
+
+/// An ASCII file with one element of lists of `type`, and four vertices after it.
+std::string with_list(const std::string& element, const std::string& type, const std::string& name,
+                      const std::string& lists) {
+  const auto count = std::to_string(std::count(lists.begin(), lists.end(), '\n'));
+  return "ply\r\ncomment a\r\nformat ascii 1.0\r\nobj_info b\r\nelement " + element + " " + count +
+         "\r\nproperty list uchar " + type + " " + name +
+         "\r\ncomment c\r\nelement vertex 4\r\nproperty double x\r\nproperty double y\r\nproperty "
+         "double z\r\nend_header\r\n" +
+         lists + "0 0 0\r\n1 0 0\r\n0 1 0\r\n1 1 0\r\n";
+}
+
+TEST(ReadPly, TakesFacesBeforeVerticesAndListsOfAnyName) {
+  for (const char* name : {"vertex_index", "vertex_indices", "corners"}) {
+    const PolygonSoup soup =
+        read_text(with_list("face", "int", name, "3 0 1 2\n4 0 1 3 2\n"), "a.ply");
+    ASSERT_EQ(soup.face_count(), 2);
+    EXPECT_EQ(corners_of(soup, 1), (Corners{0, 1, 3, 2}));
+  }
+  EXPECT_EQ(refusal(with_list("face", "float", "texcoord", "3 0 1 2\n"), "a.ply"),
+            "element 'face' needs one property 'vertex_indices' that is a list");
+}
+
+TEST(ReadPly, TakesTriangleStrips) {
+  // A strip of two triangles, a new one after -1, and a strip that repeats a vertex.
+  const std::string strips = "8 0 1 2 3 -1 3 2 1\n5 0 1 1 2 3\n";
+  const PolygonSoup soup =
+      read_text(with_list("tristrips", "int", "vertex_indices", strips), "a.ply");
+  ASSERT_EQ(soup.face_count(), 4);
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2}));
+  EXPECT_EQ(corners_of(soup, 1), (Corners{2, 1, 3}));  // turned back
+  EXPECT_EQ(corners_of(soup, 2), (Corners{3, 2, 1}));
+  EXPECT_EQ(corners_of(soup, 3), (Corners{1, 2, 3}));
+  const std::string unsigned_strips = "7 0 1 2 4294967295 3 2 1\n";
+  EXPECT_EQ(read_text(with_list("tristrips", "uint", "vertex_indices", unsigned_strips), "a.ply")
+                .face_count(),
+            2);
+  EXPECT_EQ(refusal(with_list("tristrips", "int", "vertex_indices", "3 0 1 9\n"), "a.ply"),
+            "line 13: face refers to vertex 9, but the file has 4 vertices, counted from 0");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -38,9 +39,18 @@ TEST(ReadStl, TakesBinaryByItsSize) {
 }
 
 TEST(ReadStl, ReadsAllTrianglesBehindAStaleCount) {
-  const PolygonSoup soup = read_text(binary_stl(0, 3), "a.stl");
+  for (const std::uint32_t announced : {0u, 2u, 4u, 0xFFFFFFFFu}) {
+    const PolygonSoup soup = read_text(binary_stl(announced, 3), "a.stl");
+    EXPECT_EQ(soup.face_count(), 3);
+    EXPECT_EQ(repair_named(soup.repairs, "wrong-count").count, 3);
+  }
+}
+
+TEST(ReadStl, ReadsAllTrianglesBetweenNoCountAndTrailingBytes) {
+  const PolygonSoup soup = read_text(binary_stl(0, 3) + "trailer", "a.stl");
   EXPECT_EQ(soup.face_count(), 3);
   EXPECT_EQ(repair_named(soup.repairs, "wrong-count").count, 3);
+  EXPECT_EQ(repair_named(soup.repairs, "trailing-bytes").count, 7);
 }
 
 TEST(ReadStl, ReportsTrailingBytes) {
@@ -50,12 +60,14 @@ TEST(ReadStl, ReportsTrailingBytes) {
 }
 
 TEST(ReadStl, RefusesDamagedBinary) {
-  EXPECT_EQ(refusal(binary_stl(4'000'000'000, 2), "a.stl"),
-            "triangle 3: the file ends here, but its header announces 4000000000 triangles");
+  const std::string cut = binary_stl(4'000'000'000, 2);
+  EXPECT_EQ(refusal(cut.substr(0, cut.size() - 1), "a.stl"),
+            "triangle 2: the file ends here, but its header announces 4000000000 triangles");
   EXPECT_EQ(refusal(binary_stl(1, 1, std::numeric_limits<float>::infinity()), "a.stl"),
             "triangle 1: a coordinate is not a finite number");
-  EXPECT_EQ(refusal("short", "a.stl"),
+  EXPECT_EQ(refusal(std::string("sho\0t", 5), "a.stl"),
             "the file has 5 bytes, too few for the header of a binary STL");
+  EXPECT_EQ(refusal("some text\n", "a.stl"), "line 1: 'some' stands where 'facet' is expected");
   EXPECT_EQ(refusal(binary_stl(0, 0), "a.stl"), "the file has neither vertices nor faces");
 }
 
@@ -82,6 +94,62 @@ TEST(ReadStl, NamesTheLineOfWhatIsWrong) {
             "line 9: 'fact' stands where 'facet' is expected");
   EXPECT_EQ(refusal("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 nan\n", "a.stl"),
             "line 4: a coordinate is not a finite number");
+}
+
+TEST(ReadStl, TellsHowFarCoordinatesWereRounded) {
+  EXPECT_EQ(read_text(binary_stl(1, 1), "a.stl").precision, std::ldexp(1.0, -24));
+  const std::string facet =
+      "facet normal 0.12345 0 0\nouter loop\nvertex 0 0 0.126\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\n";
+  EXPECT_DOUBLE_EQ(read_text("solid\n" + facet + "endsolid\n", "a.stl").precision, 5e-4);
+}
+
+/// Two triangles that share an edge, in spellings that programs write.
+void expect_two_triangles(const std::string& text) {
+  SCOPED_TRACE(text);
+  const PolygonSoup soup = read_text(text, "a.stl");
+  ASSERT_EQ(soup.face_count(), 2);
+  EXPECT_EQ(corners_of(soup, 0).size(), 3u);
+  EXPECT_EQ(corners_of(soup, 1).size(), 3u);
+  EXPECT_EQ(soup.positions[5], Vec3(0, 1, 0));
+  EXPECT_TRUE(soup.repairs.empty());
+}
+
+TEST(ReadStl, TakesEverySpellingOfItsWords) {
+  const std::string one = "vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n";
+  const std::string two = "vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n";
+  const auto both = [&](const std::string& before, const std::string& after) {
+    return before + one + after + before + two + after;
+  };
+  const std::string begin = "facet normal 0 0 1\nouter loop\n";
+  const std::string end = "endloop\nendfacet\n";
+  expect_two_triangles("solid\n" + both(begin, "end loop\nend facet\n") + "end solid x\n");
+  expect_two_triangles("solid a\n" + begin + one + end + "outer loop\n" + two + end +
+                       "endsolid a\n");
+  expect_two_triangles("solid\n" + both("facet\nouter loop\n", end) + "endsolid\n");
+  expect_two_triangles("solid\n" + both("facet normal\n0 0\n1\nouter loop\n", end) + "endsolid\n");
+  expect_two_triangles("solid\n" + both(begin, "endloop\n") + "endsolid\n");
+  expect_two_triangles("solid\n" + both(begin, "endfacet\n") + "endsolid\n");
+  expect_two_triangles("solid\n" + both("loop\n", "") + "endsolid\n");
+  expect_two_triangles("solid\n" + one + two + "endsolid\n");
+  expect_two_triangles("solid\n" + both("color 1 0 0\n" + begin, end) + "endsolid\n");
+  expect_two_triangles("facet normal 0 0 1\nouter loop\n" + one + end + begin + two + end);
+}
+
+TEST(ReadStl, TakesNamesOfAnyWords) {
+  for (const char* name : {"facet", "endsolid vertex", "facet model", "# 1", "\xFF\xE9"}) {
+    EXPECT_EQ(
+        read_text("solid " + std::string(name) + "\n" + kFacet + "endsolid " + name + "\n", "a.stl")
+            .face_count(),
+        1)
+        << name;
+  }
+}
+
+TEST(ReadStl, TakesAFileInOneLine) {
+  std::string text = "solid a b " + kFacet + kFacet + "endsolid a b";
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  EXPECT_EQ(read_text(text, "a.stl").face_count(), 2);
 }
 
 }  // namespace

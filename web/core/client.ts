@@ -70,8 +70,8 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
 
 /**
  * Runs one job to its end with the pool's workers, after the jobs that were given to it before. The
- * ending of `fileName` tells the format; `bytes` are copied. The result does not depend on the
- * number of workers, nor on whether some died.
+ * ending of `fileName` tells the format where the bytes do not; they are copied. The result does not
+ * depend on the number of workers, nor on whether some died.
  *
  * Rejects with a `JobError` when the job or its conducting worker fails, or a task that several
  * workers died over, and with the signal's reason within `patience` of an abort. None of that leaves

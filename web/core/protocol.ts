@@ -40,7 +40,7 @@ export interface RunRequest {
   type: 'run';
   job: number;
   bytes: Uint8Array;
-  /** Its ending tells the format. */
+  /** Its ending tells the format where the bytes do not. */
   fileName: string;
   options: JobOptions;
   /** The earlier result that the job changes, if it does. */

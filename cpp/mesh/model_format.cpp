@@ -1,0 +1,144 @@
+#include "mesh/model_format.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "mesh/byte_reader.h"
+#include "mesh/off_header.h"
+#include "mesh/stl_binary.h"
+#include "mesh/stl_text.h"
+#include "mesh/text_scanner.h"
+
+namespace foldwright {
+namespace {
+
+/// Beginnings of files that people take for models.
+struct Signature {
+  std::string_view begin;
+  std::string_view name;
+};
+
+using namespace std::string_view_literals;  // for signatures with NUL bytes in them
+
+constexpr Signature kSignatures[] = {
+    {"glTF"sv, "a GLB (binary glTF) model"},
+    {"Kaydara FBX Binary"sv, "an FBX model"},
+    {"; FBX"sv, "an FBX model"},
+    {"ISO-10303-21"sv, "a STEP model"},
+    {"BLENDER"sv, "a Blender project"},
+    {"\x28\xB5\x2F\xFD"sv, "a compressed Blender project or another Zstandard archive"},
+    {"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0"sv, "a SketchUp model"},
+    {"3D Geometry File Format"sv, "a Rhino model"},
+    {"#VRML"sv, "a VRML model"},
+    {"VOX "sv, "a MagicaVoxel model"},
+    {"DRACO"sv, "a Draco model"},
+    {"AutoCAD Binary DXF"sv, "a DXF drawing"},
+    {"AC10"sv, "a DWG drawing"},
+    {"%PDF"sv, "a PDF document"},
+    {"%!PS"sv, "a PostScript document"},
+    {"\x89PNG"sv, "a PNG picture"},
+    {"\xFF\xD8\xFF"sv, "a JPEG picture"},
+    {"GIF8"sv, "a GIF picture"},
+    {"\x1F\x8B"sv, "a gzip archive"},
+    {"7z\xBC\xAF\x27\x1C"sv, "a 7-Zip archive"},
+    {"Rar!"sv, "a RAR archive"},
+    {"version https://git-lfs"sv, "a Git LFS pointer to a model"},
+};
+
+/// Words that tell one kind of markup from another, in lower case.
+constexpr Signature kMarkups[] = {
+    {"<collada", "a COLLADA (DAE) model"},
+    {"<x3d", "an X3D model"},
+    {"<amf", "an AMF model"},
+    {"<svg", "an SVG drawing"},
+    {"<html", "a web page"},
+    {"<!doctype html", "a web page"},
+};
+
+/// The header of any markup ends within so many bytes; comments may come before its first element.
+constexpr std::size_t kMarkupHead = 2048;
+
+std::string_view as_text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string_view without_leading_blanks(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+/// The markup's name if the text begins like one.
+std::string_view markup_name(std::string_view text) {
+  if (!text.starts_with('<')) return {};
+  const std::string head = lower_case(text.substr(0, kMarkupHead));
+  for (const auto& [word, name] : kMarkups) {
+    if (head.find(word) != std::string::npos) return name;
+  }
+  return "an XML document";
+}
+
+std::string_view json_name(std::string_view text) {
+  if (!text.starts_with('{')) return {};
+  const bool is_gltf = text.find("\"asset\"") != std::string_view::npos &&
+                       text.find("\"version\"") != std::string_view::npos;
+  return is_gltf ? "a glTF model" : "a JSON document";
+}
+
+/// Many formats are ZIP archives: 3MF has its model at a fixed path.
+std::string_view zip_name(std::string_view text) {
+  if (!text.starts_with("PK\3\4")) return {};
+  return text.find("3D/3dmodel.model") != std::string_view::npos ? "a 3MF model" : "a ZIP archive";
+}
+
+/// A 3DS file is one chunk of type 0x4D4D that is as long as the file.
+bool is_3ds(std::span<const std::byte> bytes) {
+  if (!as_text(bytes).starts_with("MM") || bytes.size() < 6) return false;
+  ByteReader reader(bytes.subspan(2), std::endian::little);
+  return reader.read<std::uint32_t>() == bytes.size();
+}
+
+bool gives_obj_vertex(TextScanner& scanner) {
+  if (scanner.word_in_line() != "v") return false;
+  for (int i = 0; i < 3; ++i) {
+    if (!parse_number(scanner.word_in_line())) return false;
+  }
+  return true;
+}
+
+bool is_obj(std::span<const std::byte> bytes) {
+  TextScanner scanner(bytes, LineContinuation::kBackslash);
+  do {
+    if (gives_obj_vertex(scanner)) return true;
+  } while (scanner.next_line());
+  return false;
+}
+
+}  // namespace
+
+std::optional<ModelFormat> format_of_contents(std::span<const std::byte> bytes) {
+  // A solid's name of a few hundred bytes may come before the first facet.
+  constexpr std::size_t kStlSample = 1024;
+  if (has_size_of_binary_stl(bytes)) return ModelFormat::kStl;
+  const std::string_view first = TextScanner(bytes).word();
+  if (first == "ply") return ModelFormat::kPly;
+  if (is_off_keyword(first)) return ModelFormat::kOff;
+  if (is_stl_text(bytes.first(std::min(bytes.size(), kStlSample)))) return ModelFormat::kStl;
+  if (is_obj(bytes)) return ModelFormat::kObj;
+  return std::nullopt;
+}
+
+std::string_view foreign_format(std::span<const std::byte> bytes) {
+  const std::string_view text = as_text(bytes);
+  for (const auto& [begin, name] : kSignatures) {
+    if (text.starts_with(begin)) return name;
+  }
+  if (is_3ds(bytes)) return "a 3DS model";
+  const std::string_view written = without_leading_blanks(text);
+  for (const std::string_view name : {zip_name(text), markup_name(written), json_name(written)}) {
+    if (!name.empty()) return name;
+  }
+  return {};
+}
+
+}  // namespace foldwright

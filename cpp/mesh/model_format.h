@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace foldwright {
+
+enum class ModelFormat { kObj, kStl, kOff, kPly };
+
+/// The format that the contents show, whatever the file's name: the first words of STL, OFF and
+/// PLY, the size of binary STL, and for OBJ, which has no header, a line that gives a vertex. Empty
+/// when nothing shows, as for STL with a wrong count and OFF without a header. Text must be UTF-8.
+std::optional<ModelFormat> format_of_contents(std::span<const std::byte> bytes);
+
+/// Name, for messages, of a format that is known by its first bytes, but not read: "GLB (binary
+/// glTF)". Empty when the contents are of no such format.
+std::string_view foreign_format(std::span<const std::byte> bytes);
+
+}  // namespace foldwright

@@ -1,0 +1,79 @@
+#include "mesh/stl_binary.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "mesh/byte_reader.h"
+#include "mesh/input_error.h"
+#include "mesh/soup_builder.h"
+
+namespace foldwright {
+namespace {
+
+constexpr std::size_t kHeaderSize = 84;    // free text of 80 bytes, then the number of triangles
+constexpr std::size_t kTriangleSize = 50;  // normal, three corners, two bytes of attributes
+
+ByteReader after_free_text(std::span<const std::byte> bytes) {
+  return {bytes.subspan(kHeaderSize - 4), std::endian::little};
+}
+
+void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
+  const Place place{"triangle", number};
+  reader.skip(3 * sizeof(float));  // the normal: often zero or wrong, and never needed
+  for (int corner = 0; corner < 3; ++corner) {
+    const double x = builder.single_coordinate(reader.read<float>());
+    const double y = builder.single_coordinate(reader.read<float>());
+    const double z = builder.single_coordinate(reader.read<float>());
+    builder.add_vertex({x, y, z}, place);
+    builder.add_corner(builder.vertex_count() - 1);
+  }
+  reader.skip(2);
+  builder.end_face(place);
+}
+
+int clamped(long long count) {
+  return static_cast<int>(std::min<long long>(count, std::numeric_limits<int>::max()));
+}
+
+}  // namespace
+
+bool has_size_of_binary_stl(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHeaderSize) return false;
+  const std::uint64_t count = after_free_text(bytes).read<std::uint32_t>();
+  return kHeaderSize + count * kTriangleSize == bytes.size();
+}
+
+PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHeaderSize) {
+    throw InputError("truncated", "the file has " + std::to_string(bytes.size()) +
+                                      " bytes, too few for the header of a binary STL");
+  }
+  ByteReader reader = after_free_text(bytes);
+  const long long announced = reader.read<std::uint32_t>();
+  const long long present = static_cast<long long>(reader.left() / kTriangleSize);
+  const bool ends_whole = reader.left() % kTriangleSize == 0;
+  if (announced > present && !ends_whole) {
+    throw InputError("truncated", "triangle " + std::to_string(present + 1) +
+                                      ": the file ends here, but its header announces " +
+                                      std::to_string(announced) + " triangles");
+  }
+  // Exporters that stream their output leave any count before whole triangles, mostly 0.
+  const bool wrong_count = announced != present && (ends_whole || announced == 0);
+  const long long count = wrong_count ? present : announced;
+  SoupBuilder builder(0);
+  for (long long t = 1; t <= count; ++t) add_triangle(reader, builder, t);
+  if (wrong_count) {
+    builder.note({"wrong-count", clamped(present),
+                  "the header announces " + std::to_string(announced) +
+                      " triangles, but the file has " + std::to_string(present) +
+                      ", which were all read"});
+  }
+  if (reader.left() > 0) {
+    builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left())),
+                  std::to_string(reader.left()) + " bytes after the last triangle were ignored"});
+  }
+  return builder.finish();
+}
+
+}  // namespace foldwright
