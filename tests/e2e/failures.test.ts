@@ -107,3 +107,34 @@ test('a number of parts that makes no sense is pointed out', () =>
     await studio.page.fill('#parts', '');
     await nextRunWorks(studio);
   }));
+
+test('what is meant for a field stays in it', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const dropsText = (selector: string): Promise<boolean> =>
+      page.locator(selector).evaluate((target) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.setData('text/plain', '4');
+        const event = { dataTransfer, bubbles: true, cancelable: true };
+        // Whoever prevents the default takes the text away from the field.
+        const kept = ['dragover', 'drop'].map((type) =>
+          target.dispatchEvent(new DragEvent(type, event)),
+        );
+        return kept.every(Boolean);
+      });
+    expect(await dropsText('#parts')).toBe(true);
+    expect(await page.locator('#message').isVisible()).toBe(false);
+    expect(await dropsText('#welcome')).toBe(false);
+    expect(await studio.message()).toContain('That was no file');
+
+    await page.fill('#parts', '1');
+    await page.selectOption('#solver', 'genetic');
+    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await page.locator('#cancel').waitFor();
+    await page.locator('#parts').press('Escape');
+    await page.waitForTimeout(300);
+    expect(await page.locator('#cancel').isVisible()).toBe(true);
+    await page.locator('#cancel').press('Escape');
+    await page.locator('#progress').waitFor({ state: 'hidden', timeout: 3000 });
+    expect(studio.complaints).toEqual([]);
+  }));
