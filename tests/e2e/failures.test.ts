@@ -27,16 +27,70 @@ test('a broken model shows the reason and leaves the last result', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('a run that fails after a result leaves all of that result', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const { vertices, faces } = wavyRing(6);
+    await studio.choose('ring.obj', objText({ vertices, faces }));
+    const hash = await studio.resultOf('ring');
+    await studio.drawn('#model-picture');
+    await page.locator('.part').first().click();
+    await page.waitForTimeout(500);
+    const picture = await page.locator('#model-picture').screenshot();
+
+    // As many faces, but another shape: the model of the one must not stay with the nets of the other.
+    await page.selectOption('#sizing', 'scale');
+    await page.fill('#size', '100000');
+    const tall = vertices.map(([x, y, z]) => [x!, 5 * y!, z!]);
+    await studio.choose('tall.obj', objText({ vertices: tall, faces }));
+    const words = await studio.message();
+    expect(words).toContain('“tall.obj” could not be unfolded');
+    expect(words).toContain('still the result of “ring.obj”');
+    expect(words).toContain('Change the settings');
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: tall.obj');
+
+    expect(await page.locator('#workshop').isVisible()).toBe(false);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(await page.locator('#result-title').innerText()).toBe('ring');
+    expect(await page.locator('#result #model-name').innerText()).toBe('ring.obj');
+    expect(await page.locator('#result #pictures').count()).toBe(1);
+    await expect
+      .poll(async () => picture.equals(await page.locator('#model-picture').screenshot()), {
+        timeout: 20_000,
+      })
+      .toBe(true);
+    expect((await studio.download('FOLD')).name).toBe('ring.fold');
+    expect(await page.locator('.pending:visible').first().innerText()).toContain('Size and Factor');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('an empty file, several files and a strange file are refused', () =>
   withStudio(async (studio) => {
+    const { page } = studio;
+    const isRefused = async (): Promise<void> => {
+      expect(await page.locator('#chosen').innerText()).toBe('OBJ, STL, OFF or PLY');
+      expect(await page.locator('#unfold').isDisabled()).toBe(true);
+    };
     await studio.choose('empty.stl', '');
     expect(await studio.message()).toContain('“empty.stl” is empty');
+    await isRefused();
     const [one, two] = ['one.obj', 'two.obj'].map((name) => ({ name, content: 'v 0 0 0\n' }));
     await studio.drop([one!, two!]);
-    await studio.page.getByText('Those were 2 files').waitFor();
+    await page.getByText('Those were 2 files').waitFor();
+    await isRefused();
     await studio.choose('letter.docx', 'Dear Sir or Madam');
-    await studio.page.getByText('“letter.docx” could not be unfolded').waitFor();
+    await page.getByText('“letter.docx” could not be unfolded').waitFor();
+    await isRefused();
     await nextRunWorks(studio);
+
+    // The model before stays the chosen one.
+    await studio.choose('letter.docx', 'Dear Sir or Madam');
+    await page.getByText('“letter.docx” could not be unfolded').waitFor();
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: house.obj');
+    expect(await page.locator('.sample[aria-pressed="true"]').innerText()).toBe('House');
+    await page.locator('#unfold').click();
+    await page.locator('#message').waitFor({ state: 'hidden' });
+    await studio.resultOf('house');
     expect(studio.complaints).toEqual([]);
   }));
 
