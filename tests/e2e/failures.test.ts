@@ -2,9 +2,12 @@
 import { expect, test } from 'vitest';
 import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
-import type { StudioPage } from './studio-page.js';
+import type { BrowserOptions, StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
+
+/** Requests must reach the test. */
+const unkept: BrowserOptions = { serviceWorkers: 'block' };
 
 async function nextRunWorks(studio: StudioPage): Promise<void> {
   await studio.chooseSample('House');
@@ -130,7 +133,7 @@ test('a worker that dies is replaced', () =>
     expect(await studio.message()).toContain('stopped unexpectedly');
     await page.context().unroute('**/*.wasm');
     await nextRunWorks(studio);
-  }));
+  }, unkept));
 
 test('sheets that cannot be drawn are told of', () =>
   withStudio(async (studio) => {
@@ -141,7 +144,7 @@ test('sheets that cannot be drawn are told of', () =>
     expect(await page.locator('#progress').isVisible()).toBe(false);
     await page.context().unroute('**/writer-worker*');
     await nextRunWorks(studio);
-  }));
+  }, unkept));
 
 test('a browser without SIMD is told which one to use', () =>
   withStudio(

@@ -12,6 +12,7 @@ import { type Failure, JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
+import { keepForOffline } from './offline.js';
 import { OptionsForm } from './options-form.js';
 import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
@@ -104,6 +105,7 @@ export class Studio {
     setTimeout(() => {
       this.pool.warm();
       this.workshop.prepare();
+      void keepForOffline();
     }, preparation);
   }
 
