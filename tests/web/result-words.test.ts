@@ -7,10 +7,20 @@ import {
 } from '../../web/app/result-words.js';
 import type { JobResult } from '../../web/model/job.js';
 import { paperSizes } from '../../web/model/paper.js';
+import type { StageSeconds } from '../../web/model/stage-seconds.js';
 import { boxAndLidResult } from './fixtures.js';
 
 const paper = paperSizes.find(({ name }) => name === 'A4')!;
-const seconds = { read: 0, learn: 0, cluster: 0, search: 0, compact: 0, paper: 0, total: 0 };
+const seconds: StageSeconds = {
+  read: 0,
+  learn: 0,
+  cluster: 0,
+  search: 0,
+  fold: 0,
+  compact: 0,
+  paper: 0,
+  total: 0,
+};
 
 function sizeOf(result: JobResult): string {
   return resultFacts({ ...result, seconds }).find(([label]) => label === 'Finished size')![1];
