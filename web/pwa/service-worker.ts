@@ -15,15 +15,24 @@ const family = `foldwright ${scope} `;
 const cacheName = family + build.hash;
 
 /** Fetches all files past the browser's own cache, which may hold those of an earlier build. */
-async function keepFiles(): Promise<void> {
-  const cache = await caches.open(cacheName);
+async function fetchFiles(cache: Cache): Promise<void> {
   await cache.addAll(build.files.map((file) => new Request(file, { cache: 'no-cache' })));
   // All names but that of the page say which build they are from.
   const page = await (await cache.match('./'))!.text();
   const scripts = [...page.matchAll(/assets\/[^"]+/g)].map(([name]) => name);
-  if (scripts.every((name) => build.files.includes(name))) return;
-  await caches.delete(cacheName);
-  throw new Error('The page is from another build');
+  if (!scripts.every((name) => build.files.includes(name))) {
+    throw new Error('The page is from another build');
+  }
+}
+
+/** Keeps all files or none: the browser tries again at a later visit. */
+async function keepFiles(): Promise<void> {
+  try {
+    await fetchFiles(await caches.open(cacheName));
+  } catch (error) {
+    await caches.delete(cacheName);
+    throw error;
+  }
 }
 
 async function dropOtherBuilds(): Promise<void> {
