@@ -1,6 +1,7 @@
 // Small Vite plugins that both bundles share.
+import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative, sep } from 'node:path';
 import { root } from '../setup/paths.mjs';
 
 /** Where each bundle notes which npm packages it contains, for the third-party notices. */
@@ -61,5 +62,41 @@ export function withoutNodeModules() {
     enforce: 'pre',
     resolveId: (id) => (id === 'module' ? empty : null),
     load: (id) => (id === empty ? 'export {};' : null),
+  };
+}
+
+/** Names of all files below a folder, with slashes and in order. */
+function filesBelow(folder) {
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map(({ parentPath, name }) => relative(folder, join(parentPath, name)).replaceAll(sep, '/'))
+    .sort();
+}
+
+/**
+ * Builds a service worker beside the page and tells it, as the constant `build`, which files there
+ * are in the whole build and a hash of them, which changes whenever one of them does.
+ *
+ * @param worker path of its source, which imports nothing
+ */
+export function precache(worker) {
+  const fileName = 'service-worker.js';
+  return {
+    name: 'precache',
+    buildStart() {
+      this.emitFile({ type: 'chunk', id: worker, fileName });
+    },
+    // The files that are only copied are there by then.
+    writeBundle({ dir }) {
+      const names = filesBelow(dir).filter((name) => name !== fileName);
+      const hash = createHash('sha256');
+      for (const name of [fileName, ...names])
+        hash.update(name).update(readFileSync(join(dir, name)));
+      // Hosts may send the page's own name elsewhere; what it is found by is its folder.
+      const files = names.map((name) => (name === 'index.html' ? './' : name));
+      const build = JSON.stringify({ hash: hash.digest('hex').slice(0, 16), files });
+      const script = readFileSync(join(dir, fileName), 'utf8');
+      writeFileSync(join(dir, fileName), `const build=${build};\n${script}`);
+    },
   };
 }

@@ -2,9 +2,12 @@
 import { expect, test } from 'vitest';
 import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
-import type { StudioPage } from './studio-page.js';
+import type { BrowserOptions, StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
+
+/** Requests must reach the test. */
+const unkept: BrowserOptions = { serviceWorkers: 'block' };
 
 async function nextRunWorks(studio: StudioPage): Promise<void> {
   await studio.chooseSample('House');
@@ -27,16 +30,70 @@ test('a broken model shows the reason and leaves the last result', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('a run that fails after a result leaves all of that result', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const { vertices, faces } = wavyRing(6);
+    await studio.choose('ring.obj', objText({ vertices, faces }));
+    const hash = await studio.resultOf('ring');
+    await studio.drawn('#model-picture');
+    await page.locator('.part').first().click();
+    await page.waitForTimeout(500);
+    const picture = await page.locator('#model-picture').screenshot();
+
+    // As many faces, but another shape: the model of the one must not stay with the nets of the other.
+    await page.selectOption('#sizing', 'scale');
+    await page.fill('#size', '100000');
+    const tall = vertices.map(([x, y, z]) => [x!, 5 * y!, z!]);
+    await studio.choose('tall.obj', objText({ vertices: tall, faces }));
+    const words = await studio.message();
+    expect(words).toContain('“tall.obj” could not be unfolded');
+    expect(words).toContain('still the result of “ring.obj”');
+    expect(words).toContain('Change the settings');
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: tall.obj');
+
+    expect(await page.locator('#workshop').isVisible()).toBe(false);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(await page.locator('#result-title').innerText()).toBe('ring');
+    expect(await page.locator('#result #model-name').innerText()).toBe('ring.obj');
+    expect(await page.locator('#result #pictures').count()).toBe(1);
+    await expect
+      .poll(async () => picture.equals(await page.locator('#model-picture').screenshot()), {
+        timeout: 20_000,
+      })
+      .toBe(true);
+    expect((await studio.download('FOLD')).name).toBe('ring.fold');
+    expect(await page.locator('.pending:visible').first().innerText()).toContain('Size and Factor');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('an empty file, several files and a strange file are refused', () =>
   withStudio(async (studio) => {
+    const { page } = studio;
+    const isRefused = async (): Promise<void> => {
+      expect(await page.locator('#chosen').innerText()).toBe('OBJ, STL, OFF or PLY');
+      expect(await page.locator('#unfold').isDisabled()).toBe(true);
+    };
     await studio.choose('empty.stl', '');
     expect(await studio.message()).toContain('“empty.stl” is empty');
+    await isRefused();
     const [one, two] = ['one.obj', 'two.obj'].map((name) => ({ name, content: 'v 0 0 0\n' }));
     await studio.drop([one!, two!]);
-    await studio.page.getByText('Those were 2 files').waitFor();
+    await page.getByText('Those were 2 files').waitFor();
+    await isRefused();
     await studio.choose('letter.docx', 'Dear Sir or Madam');
-    await studio.page.getByText('“letter.docx” could not be unfolded').waitFor();
+    await page.getByText('“letter.docx” could not be unfolded').waitFor();
+    await isRefused();
     await nextRunWorks(studio);
+
+    // The model before stays the chosen one.
+    await studio.choose('letter.docx', 'Dear Sir or Madam');
+    await page.getByText('“letter.docx” could not be unfolded').waitFor();
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: house.obj');
+    expect(await page.locator('.sample[aria-pressed="true"]').innerText()).toBe('House');
+    await page.locator('#unfold').click();
+    await page.locator('#message').waitFor({ state: 'hidden' });
+    await studio.resultOf('house');
     expect(studio.complaints).toEqual([]);
   }));
 
@@ -76,7 +133,7 @@ test('a worker that dies is replaced', () =>
     expect(await studio.message()).toContain('stopped unexpectedly');
     await page.context().unroute('**/*.wasm');
     await nextRunWorks(studio);
-  }));
+  }, unkept));
 
 test('sheets that cannot be drawn are told of', () =>
   withStudio(async (studio) => {
@@ -87,7 +144,7 @@ test('sheets that cannot be drawn are told of', () =>
     expect(await page.locator('#progress').isVisible()).toBe(false);
     await page.context().unroute('**/writer-worker*');
     await nextRunWorks(studio);
-  }));
+  }, unkept));
 
 test('a browser without SIMD is told which one to use', () =>
   withStudio(
@@ -106,4 +163,35 @@ test('a number of parts that makes no sense is pointed out', () =>
     expect(await studio.page.locator('#progress').isVisible()).toBe(false);
     await studio.page.fill('#parts', '');
     await nextRunWorks(studio);
+  }));
+
+test('what is meant for a field stays in it', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const dropsText = (selector: string): Promise<boolean> =>
+      page.locator(selector).evaluate((target) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.setData('text/plain', '4');
+        const event = { dataTransfer, bubbles: true, cancelable: true };
+        // Whoever prevents the default takes the text away from the field.
+        const kept = ['dragover', 'drop'].map((type) =>
+          target.dispatchEvent(new DragEvent(type, event)),
+        );
+        return kept.every(Boolean);
+      });
+    expect(await dropsText('#parts')).toBe(true);
+    expect(await page.locator('#message').isVisible()).toBe(false);
+    expect(await dropsText('#welcome')).toBe(false);
+    expect(await studio.message()).toContain('That was no file');
+
+    await page.fill('#parts', '1');
+    await page.selectOption('#solver', 'genetic');
+    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await page.locator('#cancel').waitFor();
+    await page.locator('#parts').press('Escape');
+    await page.waitForTimeout(300);
+    expect(await page.locator('#cancel').isVisible()).toBe(true);
+    await page.locator('#cancel').press('Escape');
+    await page.locator('#progress').waitFor({ state: 'hidden', timeout: 3000 });
+    expect(studio.complaints).toEqual([]);
   }));

@@ -37,6 +37,8 @@ export interface BrowserOptions {
   script?: string;
   /** Runs in the engine's workers before their own scripts. */
   workerScript?: string;
+  /** Without them every request goes to the server, where a test can catch it. */
+  serviceWorkers?: 'allow' | 'block';
 }
 
 /** Chromium with a profile of its own and the studio open in it. */
@@ -53,6 +55,7 @@ export class StudioPage {
   ) {
     page.on('pageerror', (error) => this.complaints.push(String(error)));
     page.on('console', (message) => {
+      if (message.text().includes('blocked by Playwright')) return;
       if (message.type() === 'error' || message.type() === 'warning') {
         this.complaints.push(message.text());
       }
@@ -70,6 +73,7 @@ export class StudioPage {
       args: [...flags, ...more],
       viewport: desktop,
       reducedMotion: 'reduce',
+      serviceWorkers: workerScript ? 'block' : 'allow',
       ...options,
     });
     const studio = new StudioPage(context.pages()[0]!, context, profile);
@@ -117,6 +121,11 @@ export class StudioPage {
     await this.page.locator('#result-title', { hasText: name }).waitFor({ timeout: 60_000 });
     await this.page.locator('#progress').waitFor({ state: 'hidden', timeout: 60_000 });
     return (await this.page.locator('#result').getAttribute('data-hash')) ?? '';
+  }
+
+  /** Waits until the page says that it needs no network any more. */
+  async keptOffline(): Promise<void> {
+    await this.page.getByText('Ready offline').waitFor({ timeout: 60_000 });
   }
 
   /** Presses a download button and returns the file's name and bytes. */

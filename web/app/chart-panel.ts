@@ -1,4 +1,3 @@
-import type { JobEvent } from '../model/job.js';
 import { drawFitness } from '../view/fitness-chart.js';
 import { FitnessHistory } from '../view/fitness-history.js';
 import { Redraw } from '../view/redraw.js';
@@ -17,13 +16,13 @@ export class ChartPanel {
     new ResizeObserver(() => this.redraw.request()).observe(this.svg);
   }
 
-  clear(): void {
-    this.history = new FitnessHistory();
-    this.redraw.request();
+  /** Shows the fitness of a run. What is added to it is drawn when the panel is told so. */
+  show(history: FitnessHistory): void {
+    this.history = history;
+    this.update();
   }
 
-  follow(event: Extract<JobEvent, { type: 'generation' }>): void {
-    this.history.add(event);
+  update(): void {
     this.redraw.request();
   }
 }

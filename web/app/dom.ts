@@ -1,8 +1,12 @@
 /** Finding and making elements. Text always goes in as text, never as markup. */
 
-/** The element that `selector` names; without it the page itself is broken. */
-export function find<E extends Element>(selector: string, type: new () => E): E {
-  const found = document.querySelector(selector);
+/** The element that `selector` names, on the page or in one of its elements; without it the page itself is broken. */
+export function find<E extends Element>(
+  selector: string,
+  type: new () => E,
+  within: ParentNode = document,
+): E {
+  const found = within.querySelector(selector);
   if (!(found instanceof type)) throw new Error(`The page has no ${type.name} at ${selector}`);
   return found;
 }
@@ -16,4 +20,11 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
   return element;
+}
+
+const editable = 'select, textarea, input:not([type=checkbox], [type=file], [type=range])';
+
+/** Whether an event is about a field that holds what a person writes or picks: its keys and drops are its own. */
+export function isForField({ target }: Event): boolean {
+  return target instanceof Element && target.closest(editable) !== null;
 }

@@ -1,4 +1,13 @@
-import { find } from './dom.js';
+import { find, isForField } from './dom.js';
+
+function hasFiles({ dataTransfer }: DragEvent): boolean {
+  return dataTransfer?.types.includes('Files') ?? false;
+}
+
+/** Text that is dropped into a field belongs there; whatever else the browser would do, it leaves the page. */
+function isForPage(event: DragEvent): boolean {
+  return hasFiles(event) || !isForField(event);
+}
 
 /** Offers files chosen with the picker or dropped anywhere on the page. */
 export class FilePicker {
@@ -16,20 +25,23 @@ export class FilePicker {
     });
     window.addEventListener('dragenter', (event) => this.enter(event, 1));
     window.addEventListener('dragleave', (event) => this.enter(event, -1));
-    window.addEventListener('dragover', (event) => event.preventDefault());
+    window.addEventListener('dragover', (event) => {
+      if (isForPage(event)) event.preventDefault();
+    });
     window.addEventListener('drop', (event) => this.drop(event));
   }
 
   private enter(event: DragEvent, change: number): void {
-    if (!event.dataTransfer?.types.includes('Files')) return;
+    if (!hasFiles(event)) return;
     this.depth += change;
     this.veil.hidden = this.depth <= 0;
   }
 
   private drop(event: DragEvent): void {
-    event.preventDefault();
     this.depth = 0;
     this.veil.hidden = true;
+    if (!isForPage(event)) return;
+    event.preventDefault();
     this.onFiles([...(event.dataTransfer?.files ?? [])]);
   }
 }

@@ -2,7 +2,7 @@
 const addresses = import.meta.glob<string>(
   [
     '../../node_modules/@fontsource/noto-sans/files/noto-sans-*-400-normal.woff',
-    '!**/noto-sans-devanagari-*',
+    '!../../node_modules/@fontsource/noto-sans/files/noto-sans-devanagari-*',
     '../../node_modules/@fontsource/biz-udpgothic/files/biz-udpgothic-[0-9]*-400-normal.woff',
   ],
   { query: '?url', import: 'default', eager: true },

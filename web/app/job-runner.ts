@@ -1,16 +1,30 @@
 import { runJob, type TimedResult } from '../core/client.js';
-import { engineDied, JobError } from '../core/job-error.js';
+import { blamesOptions, engineDied, JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Pool } from '../core/pool.js';
 import type { JobOptions, JobStart } from '../model/job.js';
 import type { ModelFile } from './model-file.js';
 
-/** How a run ended. `crashed`: the worker failed, not the model. */
+/** How a run ended. */
 export type Outcome =
   | { type: 'done'; result: TimedResult }
   /** `best`: the nets found so far, if any. */
   | { type: 'cancelled'; best: TimedResult | null }
-  | { type: 'failed'; text: string; crashed: boolean };
+  | Failure;
+
+/** `cause`: the file holds no model that can be read, or the model or the settings are at fault, or the engine is. */
+export interface Failure {
+  type: 'failed';
+  text: string;
+  cause: 'file' | 'job' | 'crash';
+}
+
+function failure(error: JobError, wasRead: boolean): Failure {
+  const { code, message: text } = error;
+  if (code === engineDied) return { type: 'failed', text, cause: 'crash' };
+  const cause = wasRead || blamesOptions(error) ? 'job' : 'file';
+  return { type: 'failed', text, cause };
+}
 
 /** Runs one job at a time in the engine's workers; a new one ends the one before. */
 export class JobRunner {
@@ -39,7 +53,9 @@ export class JobRunner {
     this.abort = abort;
     const { signal } = abort;
     let best: TimedResult | null = null;
+    let wasRead = false;
     const hear = (event: TimedEvent): void => {
+      wasRead ||= event.type === 'model';
       if (!signal.aborted) onEvent(event);
       if (event.type !== 'cancelled' || !event.best) return;
       best = { ...event.best, seconds: event.seconds };
@@ -51,7 +67,7 @@ export class JobRunner {
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled', best };
       if (!(error instanceof JobError)) throw error;
-      return { type: 'failed', text: error.message, crashed: error.code === engineDied };
+      return failure(error, wasRead);
     } finally {
       if (this.abort === abort) this.abort = null;
     }

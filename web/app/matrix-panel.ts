@@ -6,21 +6,20 @@ import { find } from './dom.js';
 export class MatrixPanel {
   private readonly words = find('#matrix-words', HTMLElement);
   private readonly picture = openPicture(find('#matrix', HTMLElement));
-  private empty = true;
 
   clear(): void {
-    this.empty = true;
     this.words.textContent = 'every pair of faces is a dot';
     this.picture.tell({ type: 'nothing' });
   }
 
-  /** Says why there is nothing to see if the parts were chosen without learning. */
-  settle(): void {
-    if (this.empty) this.words.textContent = 'nothing had to be learned for these parts';
+  /** Shows the matrix of a run whose parts are chosen; null if nothing was learned for them. */
+  settle(matrix: MatrixPicture | null): void {
+    this.clear();
+    if (matrix) this.show(matrix);
+    else this.words.textContent = 'nothing had to be learned for these parts';
   }
 
   show(matrix: MatrixPicture): void {
-    this.empty = false;
     this.words.textContent = matrix.blocks ? 'each frame is a part' : 'darker: more often together';
     this.picture.tell({ type: 'matrix', matrix });
   }

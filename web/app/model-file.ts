@@ -7,7 +7,21 @@ export interface ModelFile {
 /** A choice that gives no model; the message is a sentence for the person who chose. */
 export class UnusableChoice extends Error {}
 
-/** Reads the one file of a choice. Throws UnusableChoice for several files, empty or unreadable ones. */
+/** MiB. The engine has 2 GiB of memory, and what it reads of a file takes up to three times its size. */
+const largest = 512;
+
+function checkSize({ name, size }: File): void {
+  if (size <= largest * 2 ** 20) return;
+  throw new UnusableChoice(
+    `“${name}” is too large: it has ${Math.ceil(size / 2 ** 20)} MB, and ${largest} MB can be read. ` +
+      'Save it with fewer faces, or in a binary format.',
+  );
+}
+
+/**
+ * Reads the one file of a choice. Throws UnusableChoice for several files, and for one that is empty,
+ * unreadable or too large.
+ */
 export async function readModelFile(files: readonly File[]): Promise<ModelFile> {
   const [file, ...others] = files;
   if (!file) throw new UnusableChoice('That was no file. Choose an OBJ, STL, OFF or PLY file.');
@@ -17,8 +31,11 @@ export async function readModelFile(files: readonly File[]): Promise<ModelFile> 
         'choose a single OBJ, STL, OFF or PLY file.',
     );
   }
+  checkSize(file);
   const bytes = await file.arrayBuffer().catch(() => {
-    throw new UnusableChoice(`“${file.name}” cannot be read. Folders cannot be unfolded.`);
+    throw new UnusableChoice(
+      `“${file.name}” cannot be read: it is a folder, or it was moved, or may not be opened.`,
+    );
   });
   if (bytes.byteLength === 0) {
     throw new UnusableChoice(`“${file.name}” is empty: there is nothing in it to unfold.`);

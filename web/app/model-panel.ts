@@ -3,6 +3,7 @@ import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
 import { find } from './dom.js';
 import { FoldingPanel } from './folding-panel.js';
+import type { RunPictures } from './run-pictures.js';
 
 interface ShownModel {
   vertices: Float32Array | Float64Array;
@@ -26,8 +27,8 @@ export class ModelPanel {
     (part) => this.onPick(part),
   );
   private readonly folding = new FoldingPanel((time) => this.view.tell({ type: 'time', time }));
-  /** Of the model that is shown. */
-  private faceCount = 0;
+  /** Of the run whose model is shown. */
+  private run: RunPictures | null = null;
 
   /** @param onPick is told the part of the model that was clicked */
   constructor(private readonly onPick: (part: number) => void) {}
@@ -37,21 +38,21 @@ export class ModelPanel {
     void this.view.open();
   }
 
-  /** Shows a model as blank paper. */
-  show(name: string, { vertices, faces }: ShownModel): void {
-    this.name.textContent = name;
-    this.faceCount = faces.length / 3;
+  /** Shows the model of a run as blank paper. */
+  show(run: RunPictures, { vertices, faces }: ShownModel): void {
+    this.name.textContent = run.modelName;
+    this.run = run;
     this.folding.clear();
     this.view.tell({ type: 'model', vertices, faces });
   }
 
-  /** Shows the repaired model in its final colours; the one on screen only changes its colours. */
-  finish(name: string, { model, labels, pieces }: JobResult): void {
-    if (this.faceCount !== model.faces.length / 3) this.show(name, model);
+  /** Shows the repaired model in its final colours; that of the same run only changes its colours. */
+  finish(run: RunPictures, { model, labels, pieces }: JobResult): void {
+    if (this.run !== run) this.show(run, model);
     this.paint(labels);
     // A run that was cancelled may have left faces in no piece: they could not fold with the others.
     const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
-    if (covered !== this.faceCount) return;
+    if (covered !== model.faces.length / 3) return;
     this.view.tell({ type: 'folding', model, pieces });
     this.folding.offer(pieces);
   }

@@ -1,5 +1,6 @@
 import { merging, splitting } from '../model/edits.js';
 import type { Edit, JobResult } from '../model/job.js';
+import { hangTogether, type Neighbours, partNeighbours } from '../model/part-neighbours.js';
 import { find } from './dom.js';
 import { PartRow } from './part-row.js';
 import { finishedParts } from './result-words.js';
@@ -37,9 +38,11 @@ export class PartsPanel {
   private readonly into = find('#split-into', HTMLInputElement);
   private readonly mergeButton = find('#merge', HTMLButtonElement);
   private readonly undoButton = find('#undo', HTMLButtonElement);
+  private readonly apart = find('#merge-apart', HTMLElement);
   private readonly selected = new Set<number>();
   private readonly fault = find('#name-fault', HTMLElement);
   private rows: PartRow[] = [];
+  private neighbours: Neighbours = [];
   private busy = false;
 
   constructor(private readonly listener: PartsListener) {
@@ -57,6 +60,7 @@ export class PartsPanel {
    */
   offer(result: JobResult, undo: string | null, selected: number[] = []): void {
     this.resize(result.parts);
+    this.neighbours = partNeighbours(result);
     // Without all nets a job would go on to search, which a name must not.
     const nameable = finishedParts(result) === result.parts;
     for (const row of this.rows) row.show(result, nameable);
@@ -137,7 +141,9 @@ export class PartsPanel {
     const disable = (button: HTMLButtonElement, disabled: boolean): void =>
       button.setAttribute('aria-disabled', String(this.busy || disabled));
     disable(this.splitButton, size < 1 || !this.into.checkValidity());
-    disable(this.mergeButton, size < 2);
+    const areApart = !hangTogether(this.neighbours, this.chosen);
+    this.apart.hidden = !areApart;
+    disable(this.mergeButton, size < 2 || areApart);
     disable(this.undoButton, false);
     for (const row of this.rows) row.locked = this.busy;
   }

@@ -1,5 +1,5 @@
 import type { JobEvent } from '../model/job.js';
-import { find } from './dom.js';
+import { find, isForField } from './dom.js';
 import { ProgressWords } from './progress-words.js';
 
 /** The card that tells how far a run is, with the button that ends it. */
@@ -16,7 +16,8 @@ export class ProgressPanel {
   constructor(onCancel: () => void) {
     this.cancel.addEventListener('click', onCancel);
     document.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape' && !this.card.hidden) onCancel();
+      // In a field it closes a list, or takes back what was written.
+      if (event.key === 'Escape' && !this.card.hidden && !isForField(event)) onCancel();
     });
   }
 

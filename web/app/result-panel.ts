@@ -1,9 +1,7 @@
-import type { TimedResult } from '../core/client.js';
 import type { JobResult, Notice } from '../model/job.js';
 import { find, make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
-import type { Wishes } from './options-form.js';
-import type { ModelFile } from './model-file.js';
+import type { FinishedRun } from './finished-run.js';
 import {
   leadSentence,
   netRemarks,
@@ -16,11 +14,14 @@ import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
 import type { StepsPanel } from './steps-panel.js';
 
-/** A finished run: what was asked for and what came out. */
-export interface FinishedRun {
-  model: ModelFile;
-  wishes: Wishes;
-  result: TimedResult;
+/** A run whose sheets are drawn, but are not on the page yet. */
+export interface DrawnRun {
+  run: FinishedRun;
+  writer: ResultWriter;
+  sheets: HTMLLIElement[];
+  notices: Notice[];
+  /** Which look the sheets have. */
+  look: number;
 }
 
 /** The file's name without its ending. */
@@ -44,8 +45,10 @@ export class ResultPanel {
 
   /** What is on the page, and what writes it. */
   private shownRun: { run: FinishedRun; writer: ResultWriter } | null = null;
-  /** Counts results and looks, so that a later one is not replaced by one that took longer to draw. */
+  /** Counts results, so that a later one is not replaced by one that took longer to draw. */
   private turns = 0;
+  /** Counts changes of how sheets look. */
+  private looks = 0;
 
   constructor(
     private readonly downloads: DownloadBar,
@@ -53,7 +56,10 @@ export class ResultPanel {
     private readonly steps: StepsPanel,
     private readonly print: PrintPanel,
   ) {
-    print.onChange = () => void this.redraw();
+    print.onChange = () => {
+      ++this.looks;
+      void this.redraw();
+    };
   }
 
   /** Whether there is a result on the page. */
@@ -68,7 +74,7 @@ export class ResultPanel {
 
   /** Whether there ever was a result. */
   get exists(): boolean {
-    return this.panel.dataset['hash'] !== undefined;
+    return this.shownRun !== null;
   }
 
   /** Shows the last result again, if there ever was one. */
@@ -81,27 +87,35 @@ export class ResultPanel {
     this.panel.focus({ preventScroll: true });
   }
 
+  /** Draws the sheets of a run; null if a later one was quicker. What is on the page stays. */
+  async draw(run: FinishedRun): Promise<DrawnRun | null> {
+    const { model, wishes, result } = run;
+    const [turn, look] = [++this.turns, this.looks];
+    const source = { result, name: stem(model.name), margin: wishes.job.margin };
+    const writer = new ResultWriter(source, this.print.read());
+    try {
+      const sheets = await this.sheets.draw(result, writer);
+      const notices = await writer.notices();
+      if (turn === this.turns) return { run, writer, sheets, notices, look };
+    } catch (error) {
+      writer.close();
+      throw error;
+    }
+    writer.close();
+    return null;
+  }
+
   /**
-   * Replaces the result on the page, but for all sheets after the first; returns its one-sentence
-   * summary, or null if a later result was quicker to draw.
+   * Replaces the result on the page, but for all sheets after the first, at once; returns its
+   * one-sentence summary.
    *
    * @param renamed it has the pieces of the one before with other names: all sheets are replaced
    */
-  async show(run: FinishedRun, renamed = false): Promise<string | null> {
+  show({ run, writer, sheets, notices, look }: DrawnRun, renamed = false): string {
     const { model, wishes, result } = run;
-    const turn = ++this.turns;
-    const name = stem(model.name);
-    const source = { result, name, margin: wishes.job.margin };
-    const writer = new ResultWriter(source, this.print.read());
-    const sheets = await this.sheets.draw(result, writer);
-    const notices = await writer.notices();
-    if (turn !== this.turns) {
-      writer.close();
-      return null;
-    }
     this.sheets.show(sheets, result, renamed);
     const lead = leadSentence(result, wishes.paper);
-    this.title.textContent = name;
+    this.title.textContent = stem(model.name);
     this.lead.textContent = lead;
     this.facts.replaceChildren(
       ...resultFacts(result).map(([label, value]) =>
@@ -115,6 +129,7 @@ export class ResultPanel {
     this.panel.dataset['hash'] = result.hash;
     this.panel.hidden = false;
     this.shownRun = { run, writer };
+    if (look !== this.looks) void this.redraw();
     return lead;
   }
 
@@ -122,12 +137,12 @@ export class ResultPanel {
   private async redraw(): Promise<void> {
     const shown = this.shownRun;
     if (!shown) return;
-    const turn = ++this.turns;
+    const { looks } = this;
     const { run, writer } = shown;
     writer.options = this.print.read();
     const sheets = await this.sheets.draw(run.result, writer);
     const notices = await writer.notices();
-    if (turn !== this.turns) return;
+    if (shown !== this.shownRun || looks !== this.looks) return;
     this.sheets.replace(sheets);
     this.tell(run.result, notices);
   }

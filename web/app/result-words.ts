@@ -11,7 +11,10 @@ function count(number: number, one: string, many = `${one}s`): string {
   return `${number} ${number === 1 ? one : many}`;
 }
 
-/** Width, height and depth of the finished model, in whole millimetres. */
+/** Below so many mm a length is told more precisely. */
+const small = 10;
+
+/** Width, height and depth of the finished model, in whole millimetres unless one of them is small. */
 function finishedSize({ vertices }: Model): string {
   const extent = (axis: number): number => {
     let [low, high] = [Infinity, -Infinity];
@@ -19,7 +22,7 @@ function finishedSize({ vertices }: Model): string {
       low = Math.min(low, vertices[i]!);
       high = Math.max(high, vertices[i]!);
     }
-    return Math.round(high - low);
+    return Number((high - low).toFixed(high - low < small ? 1 : 0));
   };
   return `${extent(0)} × ${extent(1)} × ${extent(2)} mm`;
 }
@@ -35,12 +38,12 @@ export function finishedParts({ labels, pieces, parts }: JobResult): number {
 /** The result in one sentence. */
 export function leadSentence(result: JobResult, paper: PaperSize): string {
   const finished = finishedParts(result);
-  if (finished < result.parts) {
-    return `${finished} of ${count(result.parts, 'part')} had their nets when the run was cancelled.`;
-  }
   const parts = count(result.parts, 'part');
   const pieces = count(result.pieces.length, 'piece');
   const sheets = `${count(result.sheets.length, 'sheet')} of ${paper.name}`;
+  if (finished < result.parts) {
+    return `${finished} of ${parts} had their nets when the run was cancelled: ${pieces} on ${sheets}.`;
+  }
   if (result.pieces.length === 1) return `All in one piece, on ${sheets}.`;
   if (result.pieces.length === result.parts) return `${parts}, each in one piece, on ${sheets}.`;
   return `${parts} in ${pieces} on ${sheets}.`;
@@ -151,11 +154,21 @@ function nameRemarks({ pieces }: JobResult): string[] {
   return [`No room for ${it} on ${piece} ${listed(names)}; short names need less.`];
 }
 
+/** The pieces of which nobody knows whether they fold up: it was not to be looked for, or took too long. */
+function foldRemarks({ pieces }: JobResult): string[] {
+  const names = pieces.filter(({ foldable }) => foldable === 'unchecked').map(({ name }) => name);
+  if (names.length === 0) return [];
+  const subject = names.length === 1 ? 'Piece' : 'Pieces';
+  const verb = names.length === 1 ? 'was' : 'were';
+  return [`${subject} ${listed(names)} ${verb} not checked for a way to fold up.`];
+}
+
 /** What a person should know about the nets. */
 export function netRemarks(result: JobResult): string[] {
   const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
   return [
     ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
+    ...foldRemarks(result),
     ...noticeRemarks(result.notices),
     ...nameRemarks(result),
     ...flapRemarks(result),

@@ -1,4 +1,4 @@
-import type { FinishedRun } from './result-panel.js';
+import type { FinishedRun } from './finished-run.js';
 
 /** Results of large models take tens of megabytes: so many are kept. */
 const longest = 20;
@@ -34,10 +34,13 @@ export class RunHistory {
     this.entries = [...this.entries, { run, words }].slice(-longest);
   }
 
-  /** Goes back by one change; null if there is none. */
-  back(): FinishedRun | null {
-    if (this.entries.length < 2) return null;
+  /** What the last change was made of; null if there is nothing to go back to. */
+  get before(): FinishedRun | null {
+    return this.entries.at(-2)?.run ?? null;
+  }
+
+  /** Goes back by one change, of which there must be one. */
+  back(): void {
     this.entries.pop();
-    return this.current;
   }
 }

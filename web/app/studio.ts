@@ -6,15 +6,19 @@ import { missingSupport } from './browser-support.js';
 import { find } from './dom.js';
 import { DownloadBar } from './download-bar.js';
 import { FilePicker } from './file-picker.js';
+import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
-import { JobRunner, type Outcome } from './job-runner.js';
+import { type Failure, JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
+import { ModelChoice } from './model-choice.js';
 import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
-import { OptionsForm, type Wishes } from './options-form.js';
+import { keepForOffline } from './offline.js';
+import { OptionsForm } from './options-form.js';
 import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
+import { PendingSettings } from './pending-settings.js';
 import { PrintPanel } from './print-panel.js';
 import { ProgressPanel } from './progress-panel.js';
-import { type FinishedRun, ResultPanel } from './result-panel.js';
+import { ResultPanel } from './result-panel.js';
 import { RunHistory } from './run-history.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
@@ -28,6 +32,13 @@ const preparation = 300;
 /** Ms before the progress of naming is shown: most of the time it is done by then. */
 const namingPatience = 500;
 
+/** What a person can do about a failure. */
+const nextSteps: Readonly<Record<Failure['cause'], string>> = {
+  file: 'Choose another model, or repair this one and try again.',
+  job: 'Change the settings and try again, or choose another model.',
+  crash: 'Nothing else is lost, and the next run starts afresh. A smaller model may work.',
+};
+
 /** Parts of the later result that have faces of what a change of the earlier one named. */
 function touched(before: JobResult, after: JobResult, { edits }: Change): number[] {
   const named = new Set(edits.flatMap(({ parts }) => parts));
@@ -39,15 +50,15 @@ export class Studio {
   private readonly runner: JobRunner;
   private readonly message = new MessagePanel();
   private readonly form = new OptionsForm(() => void this.unfold());
+  private readonly settings = new PendingSettings();
   private readonly gallery = new SampleGallery((model) => void this.choose(model));
+  private readonly choice = new ModelChoice(this.form, this.gallery);
   private readonly progress = new ProgressPanel(() => this.runner.cancel());
   private readonly workshop: Workshop;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly history = new RunHistory();
-  private readonly chosen = find('#chosen', HTMLElement);
   private readonly welcome = find('#welcome', HTMLElement);
-  private model: ModelFile | null = null;
   /** Names that are being given to the parts of the result; null if none are. */
   private naming: PartName[] | null = null;
   /** The end of the last naming. */
@@ -94,32 +105,34 @@ export class Studio {
     setTimeout(() => {
       this.pool.warm();
       this.workshop.prepare();
+      void keepForOffline();
     }, preparation);
   }
 
   /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
   private async choose(coming: Promise<ModelFile>): Promise<void> {
-    const choice = ++this.choices;
+    const number = ++this.choices;
     const model = await coming.catch((error: unknown) => this.explain(error));
-    if (!model || choice !== this.choices) return;
-    this.model = model;
-    this.gallery.mark(model.name);
-    this.chosen.textContent = `Chosen: ${model.name}`;
-    this.form.ready = true;
+    if (!model || number !== this.choices) return;
+    this.choice.take(model);
     await this.unfold();
   }
 
   private async unfold(): Promise<void> {
-    const { model } = this;
+    const { model } = this.choice;
     const wishes = this.form.read();
     if (!model || !wishes) return;
     this.naming = null;
     this.message.clear();
     this.welcome.hidden = true;
+    this.choice.open();
     this.progress.begin(model.name);
-    this.workshop.begin(model.name);
+    const settings = this.settings.read();
+    this.settings.compareWith(settings);
+    const pictures = this.workshop.begin(model.name);
     this.parts.changing = true;
     const outcome = await this.runner.run(model, wishes.job, (event) => {
+      if (event.type === 'model') this.choice.accept();
       this.progress.follow(event);
       this.workshop.follow(event);
       // The pictures of a run need the room of the last result, which comes back if there is none.
@@ -127,33 +140,38 @@ export class Studio {
     });
     // A later run has ended this one and taken over the panels.
     if (this.runner.running) return;
-    this.parts.changing = false;
-    await this.finish(outcome, model, wishes);
+    if (outcome.type === 'failed') return this.fail(outcome, model);
+    this.choice.leave();
+    await this.finish(outcome, { model, wishes, settings, pictures });
   }
 
-  private async finish(outcome: Outcome, model: ModelFile, wishes: Wishes): Promise<void> {
-    if (outcome.type === 'done') {
-      const lead = await this.presentNew({ model, wishes, result: outcome.result });
-      if (lead === null) return;
-      const { hasFocus } = this.progress;
-      this.progress.end(`Done: ${lead}`);
-      this.form.action = 'Unfold again';
-      if (hasFocus) this.result.focus();
-      return;
-    }
-    if (outcome.type === 'cancelled') {
-      this.leave('Cancelled. This is how far it came.', 'Cancelled.');
-      // A whole result is worth more than a part of the next one.
-      if (!outcome.best || this.result.exists) return;
-      const lead = await this.presentNew({ model, wishes, result: outcome.best });
-      if (lead !== null) this.progress.end(`Cancelled. ${lead}`);
-      return;
-    }
+  /** Presents what came out. */
+  private async finish(
+    outcome: Exclude<Outcome, Failure>,
+    from: Omit<FinishedRun, 'result'>,
+  ): Promise<void> {
+    const isDone = outcome.type === 'done';
+    // A whole result is worth more than a part of the next one.
+    const result = isDone ? outcome.result : this.result.exists ? null : outcome.best;
+    if (!result) return this.leave('Cancelled. This is how far it came.', 'Cancelled.');
+    const run = { ...from, result };
+    const lead = await this.present(run, () => this.history.begin(run));
+    if (lead === null) return;
+    const { hasFocus } = this.progress;
+    this.progress.end(isDone ? `Done: ${lead}` : `Cancelled. ${lead}`);
+    this.form.action = 'Unfold again';
+    if (hasFocus) this.result.focus();
+  }
+
+  /** Says why nothing came out. A file that cannot be read is not the chosen one any more. */
+  private fail({ cause, text }: Failure, model: ModelFile): void {
+    if (cause === 'file') this.choice.drop();
+    else this.choice.leave();
     this.leave('This is how far it came.', '');
-    const next = outcome.crashed
-      ? 'Nothing else is lost, and the next run starts afresh. A smaller model may work.'
-      : 'Choose another model, or repair this one and try again.';
-    this.message.show(`“${model.name}” could not be unfolded`, sentence(outcome.text), next);
+    const before = this.history.current;
+    const rest = before ? [`What is below is still the result of “${before.model.name}”.`] : [];
+    const headline = `“${model.name}” could not be unfolded`;
+    this.message.show(headline, sentence(text), nextSteps[cause], ...rest);
   }
 
   /** Changes parts of the result; what comes out takes its place. */
@@ -171,17 +189,18 @@ export class Studio {
     const start = startFrom(result, change.edits);
     const outcome = await this.runner.run(model, job, follow, start);
     if (this.runner.running) return;
-    this.parts.changing = false;
-    if (this.progress.hasFocus) this.parts.focus();
+    const { hasFocus } = this.progress;
     if (outcome.type === 'done') {
-      const run = { model, wishes, result: outcome.result };
-      this.history.add(run, change.words);
+      const run = { ...before, result: outcome.result };
       const selected = touched(result, outcome.result, change);
-      const lead = await this.present(run, { selected });
+      const enter = (): void => this.history.add(run, change.words);
+      const lead = await this.present(run, enter, { selected });
       if (lead !== null) this.progress.end(`Done: ${lead}`);
-      else if (!this.runner.running) this.history.back();
+      if (lead !== null && hasFocus) this.parts.focus();
       return;
     }
+    this.parts.changing = false;
+    if (hasFocus) this.parts.focus();
     this.progress.end(outcome.type === 'cancelled' ? 'Cancelled. All is as it was.' : '');
     if (outcome.type === 'failed') {
       this.message.show('Nothing was changed', sentence(outcome.text));
@@ -193,6 +212,8 @@ export class Studio {
    * later name does not wait for the ones before, but takes them along.
    */
   private async rename(part: number, name: string): Promise<void> {
+    // Names that are being drawn already are those of the result in a moment.
+    if (this.naming && !this.runner.running) await this.named;
     const before = this.history.current;
     if (!before || (this.runner.running && !this.naming)) return;
     const { model, wishes, result } = before;
@@ -208,20 +229,22 @@ export class Studio {
     const outcome = await this.runner.run(model, job, follow, startFrom(result, []));
     clearTimeout(late);
     if (this.runner.running) return;
-    this.naming = null;
     if (outcome.type !== 'done') return this.keepNames(outcome, before);
     // What was computed for the nets was computed before.
     const { seconds, search } = result;
-    const run = { model, wishes, result: { ...outcome.result, seconds, search } };
-    this.history.add(run, `${parts.length === 1 ? 'name' : 'names'} of ${partNumbers(parts)}`);
+    const run = { ...before, result: { ...outcome.result, seconds, search } };
+    const words = `${parts.length === 1 ? 'name' : 'names'} of ${partNumbers(parts)}`;
+    const enter = (): void => this.history.add(run, words);
     const selected = this.parts.chosen;
-    const lead = await this.present(run, { selected, renamed: true });
+    const lead = await this.present(run, enter, { selected, renamed: true });
+    if (this.runner.running) return;
+    this.naming = null;
     if (lead !== null) this.progress.end(name === '' ? 'The name is gone.' : `Named ${name}.`);
-    else if (!this.runner.running) this.history.back();
   }
 
   /** Ends a naming that came to nothing. */
   private keepNames(outcome: Outcome, { result }: FinishedRun): void {
+    this.naming = null;
     this.progress.end('');
     if (outcome.type === 'failed') this.parts.refuse(sentence(outcome.text));
     else this.parts.offer(result, this.history.undo, this.parts.chosen);
@@ -233,57 +256,74 @@ export class Studio {
     if (this.naming) this.runner.cancel();
     await this.named;
     if (this.runner.running) return;
-    const run = this.history.back();
+    const run = this.history.before;
     if (!run) return;
     this.message.clear();
     this.parts.focus();
-    const lead = await this.present(run);
+    this.parts.changing = true;
+    const lead = await this.present(run, () => this.history.back());
     if (lead !== null) this.progress.end(`Undone: ${lead}`);
   }
 
-  /** Shows a result that was not made of the one before. */
-  private presentNew(run: FinishedRun): Promise<string | null> {
-    this.history.begin(run);
-    return this.present(run);
-  }
-
-  /** Ends a run without a result: keeps its pictures with a note, or shows what was there before. */
+  /**
+   * Ends a run without a result: the result before comes back whole, or else the pictures of the run
+   * stay with a note.
+   */
   private leave(note: string, announcement: string): void {
     const { hasFocus } = this.progress;
-    this.result.restore();
-    this.welcome.hidden = this.result.shown || this.workshop.shown;
+    const before = this.history.current;
+    if (before) this.comeBack(before);
+    else this.workshop.stop(note);
+    this.settings.compareWith(before?.settings ?? null);
+    this.parts.changing = false;
+    this.welcome.hidden = before !== null || this.workshop.shown;
     if (hasFocus) this.form.focus();
-    this.workshop.stop(note);
     this.progress.end(announcement);
+  }
+
+  /** Another run may have used the panels of the result that is on the page. */
+  private comeBack({ pictures, result }: FinishedRun): void {
+    if (!this.workshop.shows(pictures)) {
+      this.workshop.finish(pictures, result);
+      this.workshop.select(this.parts.chosen);
+    }
+    this.result.restore();
   }
 
   /**
    * Shows nets and model; null if they could not be drawn, or if a run has begun meanwhile, whose
    * panels these are then.
    *
+   * @param enter puts the run into the history
    * @param how.selected parts that are chosen at first
    * @param how.renamed all but names is as it was
    */
   private async present(
     run: FinishedRun,
+    enter: () => void,
     { selected = [], renamed = false }: { selected?: number[]; renamed?: boolean } = {},
   ): Promise<string | null> {
-    const lead = await this.result.show(run, renamed).catch((error: unknown) => {
+    const drawn = await this.result.draw(run).catch((error: unknown) => {
       console.error(error);
-      if (this.runner.running) return null;
-      this.leave('The nets were found, but not drawn.', '');
-      this.message.show(
-        `The sheets of “${run.model.name}” could not be drawn`,
-        'Try it once more.',
-      );
+      if (!this.runner.running) this.tellUndrawn(run);
       return null;
     });
-    if (lead === null || this.runner.running) return null;
+    if (drawn === null || this.runner.running) return null;
+    // All at once: no two panels may ever show different runs.
+    enter();
+    const lead = this.result.show(drawn, renamed);
     if (renamed) this.workshop.rename(run.result.pieces);
-    else this.workshop.finish(run.result);
+    else this.workshop.finish(run.pictures, run.result);
+    this.settings.compareWith(run.settings);
     this.parts.offer(run.result, this.history.undo, selected);
+    this.parts.changing = false;
     await this.result.complete();
     return this.runner.running ? null : lead;
+  }
+
+  private tellUndrawn({ model }: FinishedRun): void {
+    this.leave('The nets were found, but not drawn.', '');
+    this.message.show(`The sheets of “${model.name}” could not be drawn`, 'Try it once more.');
   }
 
   /** Tells a failed choice; anything else is a fault of the page and goes on as one. */

@@ -1,6 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { notePackages, withoutNodeModules } from '../../scripts/make/vite-plugins.mjs';
+import { notePackages, precache, withoutNodeModules } from '../../scripts/make/vite-plugins.mjs';
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -16,7 +16,11 @@ const output = {
 export default defineConfig({
   root: path('.'),
   base: './',
-  plugins: [notePackages('studio'), withoutNodeModules()],
+  plugins: [
+    notePackages('studio'),
+    withoutNodeModules(),
+    precache(path('../pwa/service-worker.ts')),
+  ],
   worker: {
     format: 'es',
     plugins: () => [notePackages('studio-worker'), withoutNodeModules()],

@@ -4,6 +4,7 @@ import { find } from './dom.js';
 import { MatrixPanel } from './matrix-panel.js';
 import { ModelPanel } from './model-panel.js';
 import { NetPanel } from './net-panel.js';
+import { RunPictures } from './run-pictures.js';
 
 /**
  * Where a run can be watched: the model, its foldability, the net under search and its fitness.
@@ -18,9 +19,10 @@ export class Workshop {
   private readonly matrix = new MatrixPanel();
   private readonly net = new NetPanel();
   private readonly chart = new ChartPanel();
-  private modelName = '';
-  /** Whether the pictures are of the present run. */
-  private open = false;
+  /** Of the present run, or the last one. */
+  private present = new RunPictures('');
+  /** Those that the panels show. */
+  private shownPictures: RunPictures | null = null;
 
   /** @param onPick is told the part of the model that was clicked */
   constructor(onPick: (part: number) => void) {
@@ -38,31 +40,35 @@ export class Workshop {
   }
 
   /** Awaits a run; what is on the page stays until the first of its pictures comes. */
-  begin(modelName: string): void {
-    this.modelName = modelName;
-    this.open = false;
+  begin(modelName: string): RunPictures {
+    this.present = new RunPictures(modelName);
     this.room.hidden = true;
     this.model.prepare();
+    return this.present;
   }
 
   /** Takes an event of the run in. */
   follow(event: JobEvent): void {
+    const { present } = this;
     switch (event.type) {
       case 'model':
         this.enter();
-        this.model.show(this.modelName, event);
+        this.model.show(present, event);
         break;
       case 'learned':
-        if (event.matrix) this.matrix.show(event.matrix);
+        if (!event.matrix) break;
+        present.matrix = event.matrix;
+        this.matrix.show(event.matrix);
         break;
       case 'segmented':
         this.model.paint(event.labels);
         this.net.paint(event.labels);
-        this.matrix.settle();
+        this.matrix.settle(present.matrix);
         break;
       case 'generation':
+        present.fitness.add(event);
         this.net.follow(event);
-        this.chart.follow(event);
+        this.chart.update();
         break;
       case 'net':
         this.net.found(event.part);
@@ -72,11 +78,21 @@ export class Workshop {
     }
   }
 
-  /** Clears away for the result: the pictures move to it. */
-  finish(result: JobResult): void {
+  /** Whether the panels show what belongs to a result. */
+  shows(pictures: RunPictures): boolean {
+    return this.shownPictures === pictures;
+  }
+
+  /** Clears away for a result: the panels move to it, with the pictures of its own run. */
+  finish(pictures: RunPictures, result: JobResult): void {
     this.model.turn(false);
-    this.model.finish(this.modelName, result);
+    this.model.finish(pictures, result);
     this.net.finish(result);
+    if (!this.shows(pictures)) {
+      this.matrix.settle(pictures.matrix);
+      this.chart.show(pictures.fitness);
+      this.shownPictures = pictures;
+    }
     find('#result-model', HTMLElement).append(this.model.figure);
     find('#result-pictures', HTMLElement).append(this.pictures);
     this.room.hidden = true;
@@ -91,7 +107,7 @@ export class Workshop {
   stop(words: string): void {
     this.model.turn(false);
     this.note.textContent = words;
-    this.note.hidden = !this.open;
+    this.note.hidden = !this.shows(this.present);
   }
 
   /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
@@ -111,11 +127,11 @@ export class Workshop {
   }
 
   private enter(): void {
-    this.open = true;
+    this.shownPictures = this.present;
     this.note.hidden = true;
     this.matrix.clear();
     this.net.clear();
-    this.chart.clear();
+    this.chart.show(this.present.fitness);
     this.views.append(this.model.figure, this.pictures);
     this.room.hidden = false;
     this.model.turn(true);

@@ -12,3 +12,11 @@ export class JobError extends Error {
 
 /** The code of a job whose worker died under it. */
 export const engineDied = 'engine-died';
+
+/** Codes with which the engine blames what was asked for and not the model. */
+const optionCodes = ['bad-option', 'bad-margin', 'bad-edit'];
+
+/** Whether a job failed for its options or edits. */
+export function blamesOptions({ code }: JobError): boolean {
+  return optionCodes.includes(code);
+}

@@ -1,0 +1,73 @@
+/**
+ * Keeps the whole studio on the device, so that it works without a network after one visit. Each
+ * build has a cache of its own. A new build waits until no page of the one before is open, or until
+ * the only one is loaded anew: so every page gets all of its files from the build that it came from.
+ */
+
+/** Files of this build as addresses relative to this script, and a hash of them; from `precache`. */
+declare const build: { hash: string; files: string[] };
+
+const worker = self as unknown as ServiceWorkerGlobalScope;
+const { scope } = worker.registration;
+
+/** Other studios may live in other folders of the same host. */
+const family = `foldwright ${scope} `;
+const cacheName = family + build.hash;
+
+/** Fetches all files past the browser's own cache, which may hold those of an earlier build. */
+async function fetchFiles(cache: Cache): Promise<void> {
+  await cache.addAll(build.files.map((file) => new Request(file, { cache: 'no-cache' })));
+  // All names but that of the page say which build they are from.
+  const page = await (await cache.match('./'))!.text();
+  const scripts = [...page.matchAll(/assets\/[^"]+/g)].map(([name]) => name);
+  if (!scripts.every((name) => build.files.includes(name))) {
+    throw new Error('The page is from another build');
+  }
+}
+
+/** Keeps all files or none: the browser tries again at a later visit. */
+async function keepFiles(): Promise<void> {
+  try {
+    await fetchFiles(await caches.open(cacheName));
+  } catch (error) {
+    await caches.delete(cacheName);
+    throw error;
+  }
+}
+
+async function dropOtherBuilds(): Promise<void> {
+  const names = await caches.keys();
+  const others = names.filter((name) => name.startsWith(family) && name !== cacheName);
+  await Promise.all(others.map((name) => caches.delete(name)));
+}
+
+/** A page that was just loaded asks for it; no other page may lose its files. */
+async function takeOver(): Promise<void> {
+  const windows = await worker.clients.matchAll({ type: 'window', includeUncontrolled: true });
+  const pages = windows.filter(({ url }) => url.startsWith(scope));
+  if (pages.length === 1) await worker.skipWaiting();
+}
+
+async function answer(request: Request): Promise<Response> {
+  const path = request.url.slice(scope.length).replace(/[?#].*/, '');
+  const isPage = request.mode === 'navigate' && ['', 'index.html'].includes(path);
+  const cache = await caches.open(cacheName);
+  const kept = await cache.match(isPage ? scope : request, {
+    ignoreSearch: true,
+    ignoreVary: true,
+  });
+  return kept ?? fetch(request);
+}
+
+worker.addEventListener('install', (event) => event.waitUntil(keepFiles()));
+worker.addEventListener('activate', (event) => {
+  // The page of a first visit is served from now on, too.
+  event.waitUntil(dropOtherBuilds().then(() => worker.clients.claim()));
+});
+worker.addEventListener('message', (event) => event.waitUntil(takeOver()));
+worker.addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method === 'GET' && request.url.startsWith(scope)) {
+    event.respondWith(answer(request));
+  }
+});
