@@ -93,6 +93,10 @@ class ReadStage : public Stage {
     state.file.clear();
     state.file.shrink_to_fit();
     state.model = repair(soup);
+    // At once, for what comes may take long, or fail.
+    for (const auto& [code, count, text] : state.model.repairs) {
+      events.push_back(Notice{code, text});
+    }
     state.surface = make_surface(kModelSurface, simplified(state));
     events.push_back(ModelEvent{state.surface});
     if (state.start) {
