@@ -14,6 +14,9 @@ struct Repair {
   std::string text;  ///< one sentence for people
 };
 
+/// An axis of the coordinates.
+enum class Axis { kX, kY, kZ };
+
 /// A model as its file says it: polygons over vertices, nothing welded, checked or oriented.
 /// Face i has the corners `corners[first_corner[i]] .. corners[first_corner[i + 1] - 1]`;
 /// all corner indices are valid and all coordinates finite.
@@ -22,6 +25,7 @@ struct PolygonSoup {
   std::vector<int> corners;
   std::vector<int> first_corner = {0};  ///< one more entry than faces
   std::vector<Repair> repairs;          ///< what the reader itself had to put up with
+  Axis usual_up = Axis::kY;             ///< the axis that points up in most files of its format
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 };

@@ -25,7 +25,10 @@ PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_n
             std::string("; OBJ, STL, OFF and PLY are"));
   }
   if (bytes.empty()) throw InputError("empty-file", "the file is empty");
-  return reader(bytes);
+  PolygonSoup soup = reader(bytes);
+  // What STL files are made for, printers and machine tools, has its bed in the plane of x and y.
+  if (ending == "stl") soup.usual_up = Axis::kZ;
+  return soup;
 }
 
 }  // namespace foldwright

@@ -196,6 +196,42 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
 
   it.each([
     [
+      ['--up', 'y', '--height', '20'],
+      [30, 20, 50],
+    ],
+    [
+      ['--up', 'x', '--height', '60'],
+      [40, 60, 100],
+    ],
+    [
+      ['--up', 'z', '--width', '30'],
+      [30, 50, 20],
+    ],
+    [
+      ['--up', 'z', '--depth', '20'],
+      [30, 50, 20],
+    ],
+    [
+      ['--height', '20'],
+      [30, 20, 50],
+    ],
+  ])('makes a box of 60 x 40 x 100 as large as %j say', (options, size) => {
+    const [x, y, z] = [60, 40, 100];
+    const box = {
+      ...cube,
+      vertices: cube.vertices.map(([a, b, c]) => [(a! * x) / 40, (b! * y) / 40, (c! * z) / 40]),
+    };
+    return withModel(objText(box), async (folder, model) => {
+      const report = join(folder, 'report.json');
+      const args = [model, '--parts', '1', '--report', report, '--quiet', ...options];
+      expect((await foldwright(args)).status).toBe(0);
+      const { size_mm } = JSON.parse(readFileSync(report, 'utf8')) as { size_mm: number[] };
+      size_mm.forEach((mm, axis) => expect(mm).toBeCloseTo(size[axis]!, 9));
+    });
+  });
+
+  it.each([
+    [
       ['--paper', 'A5'],
       ['148mm', '210mm'],
     ],
