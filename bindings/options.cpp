@@ -20,11 +20,10 @@ constexpr Name<Solver> kSolvers[] = {{"tree", Solver::kTree}, {"genetic", Solver
 constexpr Name<FoldingMode> kFoldingModes[] = {{"off", FoldingMode::kOff},
                                                {"prefer", FoldingMode::kPrefer},
                                                {"require", FoldingMode::kRequire}};
-constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},
-                                     {"height", Sizing::kHeight},
-                                     {"width", Sizing::kWidth},
-                                     {"scale", Sizing::kScale},
-                                     {"sheets", Sizing::kSheets}};
+constexpr Name<Sizing> kSizings[] = {{"fit", Sizing::kFit},     {"height", Sizing::kHeight},
+                                     {"width", Sizing::kWidth}, {"depth", Sizing::kDepth},
+                                     {"scale", Sizing::kScale}, {"sheets", Sizing::kSheets}};
+constexpr Name<Up> kUps[] = {{"guess", Up::kGuess}, {"x", Up::kX}, {"y", Up::kY}, {"z", Up::kZ}};
 constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
                                          {"one", FlapSide::kOne},
                                          {"alternate", FlapSide::kAlternate},
@@ -87,6 +86,7 @@ JobOptions options_from(const val& object) {
   options.proxy = object["proxy"].as<int>();
   options.seed = object["seed"].as<std::uint32_t>();
   options.faces = object["faces"].as<int>();
+  options.up = from_name<Up>(kUps, word(object["up"]));
   options.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, word(object["unit"]));

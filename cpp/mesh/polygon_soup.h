@@ -14,6 +14,9 @@ struct Repair {
   std::string text;  ///< one sentence for people
 };
 
+/// An axis of the coordinates.
+enum class Axis { kX, kY, kZ };
+
 /// A model as its file says it: polygons over vertices, nothing welded, checked or oriented.
 /// Face i has the corners `corners[first_corner[i]] .. corners[first_corner[i + 1] - 1]`;
 /// all corner indices are valid and all coordinates finite.
@@ -25,6 +28,7 @@ struct PolygonSoup {
   /// Largest rounding error of a coordinate, in model units, as estimated by CoordinatePrecision
   /// from how the file writes its numbers; 0 for a soup that was not read from a file.
   double precision = 0;
+  Axis usual_up = Axis::kY;             ///< the axis that points up in most files of its format
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 };

@@ -86,6 +86,8 @@ PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_n
     soup.repairs.push_back(
         {"other-format", 1, "the file is named ." + ending + ", but holds " + found->name});
   }
+  // What STL files are made for, printers and machine tools, has its bed in the plane of x and y.
+  if (found->format == ModelFormat::kStl) soup.usual_up = Axis::kZ;
   return soup;
 }
 

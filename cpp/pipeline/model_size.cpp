@@ -58,6 +58,7 @@ double fixed_scale(const Mesh& mesh, const SizeOptions& size) {
   const Vec3 extent = extents(mesh);
   if (size.by == Sizing::kHeight) return per_extent(size.value, extent.y(), "height");
   if (size.by == Sizing::kWidth) return per_extent(size.value, extent.x(), "width");
+  if (size.by == Sizing::kDepth) return per_extent(size.value, extent.z(), "depth");
   return size.value * millimetres(model_unit(mesh, size.unit).unit);
 }
 

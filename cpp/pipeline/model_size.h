@@ -20,7 +20,8 @@ double millimetres(Unit unit);
 /// Extents of a mesh along x, y and z, in model units.
 Vec3 extents(const Mesh& mesh);
 
-/// Millimetres per model unit where the options fix them: by height, width or scale.
+/// Millimetres per model unit where the options fix them: by height, width,
+/// depth or scale.
 /// \pre `size.by` is one of these
 /// \throw InputError if the model has no extent in that direction
 double fixed_scale(const Mesh& mesh, const SizeOptions& size);

@@ -26,6 +26,8 @@ void check_size(const SizeOptions& size) {
       return check(is_within(1e5), "height", "above 0 and at most 100000 mm");
     case Sizing::kWidth:
       return check(is_within(1e5), "width", "above 0 and at most 100000 mm");
+    case Sizing::kDepth:
+      return check(is_within(1e5), "depth", "above 0 and at most 100000 mm");
     case Sizing::kScale:
       return check(is_within(1e6), "scale", "above 0 and at most 1000000");
     case Sizing::kSheets:

@@ -21,11 +21,15 @@ enum class FoldingMode { kOff, kPrefer, kRequire };
 /// Unit of the model's coordinates.
 enum class Unit { kGuess, kMillimetre, kCentimetre, kMetre, kInch };
 
+/// The axis of the file that points up; the job's mesh is turned so that it is y.
+enum class Up { kGuess, kX, kY, kZ };
+
 /// What decides how large the finished model is.
 enum class Sizing {
   kFit,     ///< the largest piece just fits the sheet, and nothing is cut again
-  kHeight,  ///< extent along y in mm
+  kHeight,  ///< extent along y in mm, which is up
   kWidth,   ///< extent along x in mm
+  kDepth,   ///< extent along z in mm
   kScale,   ///< factor on the size that the model has in its unit
   kSheets   ///< as large as goes on so many sheets
 };
@@ -64,7 +68,8 @@ struct JobOptions {
   /// segment as well as anything larger, and learning grows with the square.
   int proxy = 1000;
   std::uint32_t seed = 1;
-  int faces = 0;  ///< simplify to this many triangles first; 0: keep all
+  int faces = 0;       ///< simplify to this many triangles first; 0: keep all
+  Up up = Up::kGuess;  ///< guessed from the file's format
   SizeOptions size = {};
   SheetOptions sheet = {};
   FlapOptions flaps = {};

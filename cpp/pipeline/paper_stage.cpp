@@ -10,6 +10,7 @@
 #include "pipeline/paper_plan.h"
 #include "pipeline/saved_net.h"
 #include "pipeline/stage.h"
+#include "pipeline/unchecked_notices.h"
 
 namespace foldwright {
 namespace {
@@ -175,6 +176,7 @@ class PaperStage : public Stage {
     add_size_notices(state);
     add_pin_notice(state, draft.lost_pins);
     add_neck_notice(state);
+    add_unchecked_notices(state, draft.nets);
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;

@@ -5,6 +5,7 @@
 #include "mesh/nearest_face.h"
 #include "mesh/read_model.h"
 #include "mesh/simplify.h"
+#include "mesh/turn_up.h"
 #include "pipeline/edits.h"
 #include "pipeline/stage.h"
 
@@ -13,6 +14,33 @@ namespace {
 
 std::string counted(int count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+Axis up_of(const PolygonSoup& soup, Up asked) {
+  switch (asked) {
+    case Up::kX:
+      return Axis::kX;
+    case Up::kY:
+      return Axis::kY;
+    case Up::kZ:
+      return Axis::kZ;
+    case Up::kGuess:
+      break;
+  }
+  return soup.usual_up;
+}
+
+/// The file's model with y up. A guess is told where the model was turned for it.
+PolygonSoup read_upright(JobState& state) {
+  PolygonSoup soup = read_model(state.file, state.file_name);
+  const Axis up = up_of(soup, state.options.up);
+  turn_up(soup.positions, up);
+  if (state.options.up == Up::kGuess && up != Axis::kY) {
+    state.notices.push_back({"up-guessed",
+                             "the file does not say which way is up; the z axis was taken, as in "
+                             "most files of this format"});
+  }
+  return soup;
 }
 
 /// Simplifies on demand, and remembers which face stands for which.
@@ -89,10 +117,14 @@ class ReadStage : public Stage {
 
   void begin(JobState& state, TaskQueue&, Events& events) override {
     check_options(state.options);
-    const PolygonSoup soup = read_model(state.file, state.file_name);
+    const PolygonSoup soup = read_upright(state);
     state.file.clear();
     state.file.shrink_to_fit();
     state.model = repair(soup);
+    // At once, for what comes may take long, or fail.
+    for (const auto& [code, count, text] : state.model.repairs) {
+      events.push_back(Notice{code, text});
+    }
     state.surface = make_surface(kModelSurface, simplified(state));
     events.push_back(ModelEvent{state.surface});
     if (state.start) {

@@ -11,7 +11,6 @@ struct Outcome {
   int pieces = 0;
   int without_motion = 0;
   bool meets_itself = false;
-  bool too_large = false;
   Cause cause = Cause::kPart;
 };
 
@@ -25,7 +24,6 @@ void add_search_notices(JobState& state) {
     outcome.pieces += net.region.cause != Cause::kSheet;
     outcome.without_motion += net.motion.kind == Folding::kNone;
     outcome.meets_itself |= net.region.meets_itself;
-    outcome.too_large |= net.region.too_large;
     if (net.region.cause != Cause::kSheet) outcome.cause = net.region.cause;
   }
   for (const auto& [part, outcome] : outcomes) {
@@ -40,10 +38,6 @@ void add_search_notices(JobState& state) {
       state.notices.push_back(
           {"meets-itself", name + " has faces that run through each other in "
                                   "the model, so no folding of it is free of collisions"});
-    } else if (outcome.too_large) {
-      state.notices.push_back({"too-large-to-fold", name + " has too many faces to look for a way "
-                                                           "to fold it: more parts, or fewer "
-                                                           "faces, would help"});
     } else if (outcome.without_motion > 0) {
       state.notices.push_back(
           {"no-motion", "no way was found to fold up " + name +

@@ -44,7 +44,9 @@ TEST(JobFolding, WouldBeCaughtWithAWrongMotion) {
 TEST(JobFolding, LooksAtNoMotionWhenFoldingIsOff) {
   const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kOff});
   expect_sound(outcome);
-  EXPECT_TRUE(outcome.notices().empty());
+  EXPECT_EQ(outcome.notices(), std::multiset<std::string>{"unchecked-pieces"});
+  EXPECT_EQ(outcome.result->notices[0].text,
+            "no way to fold up piece A was looked for: folding is switched off");
   for (const Piece& piece : outcome.result->pieces) {
     EXPECT_EQ(piece.motion.kind, Folding::kUnchecked);
     EXPECT_TRUE(piece.motion.times.empty());

@@ -35,15 +35,64 @@ bool has_notice(const JobResult& result, const std::string& code) {
   return std::ranges::any_of(result.notices, [&](const Notice& n) { return n.code == code; });
 }
 
-TEST(JobSize, IsTheHeightOrWidthAskedFor) {
+TEST(JobSize, IsTheHeightWidthOrDepthAskedFor) {
   const Mesh mesh = bumpy_sphere(200);
-  for (const Sizing by : {Sizing::kHeight, Sizing::kWidth}) {
+  const std::pair<Sizing, int> directions[] = {
+      {Sizing::kWidth, 0}, {Sizing::kHeight, 1}, {Sizing::kDepth, 2}};
+  for (const auto& [by, axis] : directions) {
     const Outcome outcome = run(mesh, sized(by, 80, 2));
     ASSERT_TRUE(outcome.result);
     const Vec3 size = extents(outcome.result->mesh) * outcome.result->sheets.scale;
-    EXPECT_NEAR(by == Sizing::kHeight ? size.y() : size.x(), 80, 1e-9);
+    EXPECT_NEAR(size[axis], 80, 1e-9);
     EXPECT_FALSE(has_notice(*outcome.result, "sheet-split"));
   }
+}
+
+/// As an STL file: triangles without shared corners.
+std::string stl_of(const Mesh& mesh) {
+  std::string text = "solid\n";
+  for (const auto& face : mesh.faces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int v : face) {
+      const Vec3& p = mesh.positions[v];
+      text += "vertex " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+              std::to_string(p.z()) + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid\n";
+}
+
+/// A box of 60 x 40 x 100.
+Mesh tall_box() {
+  Mesh mesh = cube();
+  for (Vec3& p : mesh.positions) p = Vec3(60 * p.x(), 40 * p.y(), 100 * p.z());
+  return mesh;
+}
+
+TEST(JobSize, TurnsTheAxisAskedForUp) {
+  const std::pair<Up, Vec3> cases[] = {
+      {Up::kX, Vec3(40, 60, 100)}, {Up::kY, Vec3(60, 40, 100)}, {Up::kZ, Vec3(60, 100, 40)}};
+  for (const auto& [up, size] : cases) {
+    JobOptions options{.parts = 1, .up = up};
+    const Outcome outcome = run(tall_box(), options);
+    expect_sound(outcome);
+    EXPECT_LT((extents(outcome.result->mesh) - size).norm(), 1e-9);
+    EXPECT_FALSE(has_notice(*outcome.result, "up-guessed"));
+  }
+}
+
+TEST(JobSize, GuessesWhatIsUpFromTheFormatAndSaysSo) {
+  JobOptions options = sized(Sizing::kHeight, 150, 1);
+  const Outcome stl = run_file(stl_of(tall_box()), "box.stl", options);
+  expect_sound(stl);
+  const double scale = stl.result->sheets.scale;
+  EXPECT_LT((extents(stl.result->mesh) * scale - Vec3(90, 150, 60)).norm(), 1e-9);
+  EXPECT_TRUE(has_notice(*stl.result, "up-guessed"));
+  const Outcome obj = run(tall_box(), options);
+  EXPECT_NEAR(extents(obj.result->mesh).y() * obj.result->sheets.scale, 150, 1e-9);
+  EXPECT_NEAR(extents(obj.result->mesh).y(), 40, 1e-9);
+  EXPECT_FALSE(has_notice(*obj.result, "up-guessed"));
 }
 
 TEST(JobSize, CutsAgainWhatIsTooLargeForTheSheet) {

@@ -33,6 +33,8 @@ TEST(FixedScale, GivesTheModelTheSizeAskedFor) {
   for (Vec3& p : mesh.positions) p.y() *= 3;
   EXPECT_DOUBLE_EQ(fixed_scale(mesh, {Sizing::kHeight, 150}), 25);
   EXPECT_DOUBLE_EQ(fixed_scale(mesh, {Sizing::kWidth, 150}), 75);
+  for (Vec3& p : mesh.positions) p.z() *= 2;
+  EXPECT_DOUBLE_EQ(fixed_scale(mesh, {Sizing::kDepth, 150}), 37.5);
   EXPECT_DOUBLE_EQ(fixed_scale(mesh, {Sizing::kScale, 0.5, Unit::kInch}), 12.7);
 }
 

@@ -61,6 +61,7 @@ TEST(CheckOptions, NamesABadOption) {
       {with_sheet({.margin = nan}), "margin"},
       {with_size(Sizing::kHeight, 0), "height"},
       {with_size(Sizing::kWidth, nan), "width"},
+      {with_size(Sizing::kDepth, -1), "depth"},
       {with_size(Sizing::kScale, infinity), "scale"},
       {with_size(Sizing::kSheets, 1.5), "sheets"},
   };

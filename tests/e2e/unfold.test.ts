@@ -1,6 +1,7 @@
 /** From a model to its files, as a visitor does it. */
 import { unzipSync } from 'fflate';
 import { expect, test } from 'vitest';
+import { cube } from '../web/fixtures.js';
 import { checkFold } from '../web/fold-check.js';
 import { parseFold } from '../web/fold-file.js';
 import { objText, wavyRing } from '../web/model-text.js';
@@ -66,6 +67,20 @@ test('the engine works in a worker, and the page answers while it does', () =>
     await page.selectOption('#paper', 'Letter');
     expect(await page.inputValue('#paper')).toBe('Letter');
     await page.locator('#cancel').click();
+  }));
+
+test('which way is up and how deep the model gets can be asked for', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.selectOption('#up', 'z');
+    await page.selectOption('#sizing', 'depth');
+    await page.fill('#size', '20');
+    // 60 x 40 x 100 in the file.
+    const vertices = cube.vertices.map(([x, y, z]) => [1.5 * x!, y!, 2.5 * z!]);
+    await studio.choose('box.obj', objText({ ...cube, vertices }));
+    await studio.resultOf('box');
+    expect(await page.getByText('30 × 50 × 20 mm').isVisible()).toBe(true);
+    expect(studio.complaints).toEqual([]);
   }));
 
 test('parts and paper can be asked for', () =>

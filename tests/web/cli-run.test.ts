@@ -19,6 +19,11 @@ interface WrittenReport {
   result_hash: string;
 }
 
+interface ToldReport {
+  model: { repairs: { text: string }[] };
+  notices: { code: string; text: string }[];
+}
+
 const readReport = (path: string) => JSON.parse(readFileSync(path, 'utf8')) as WrittenReport;
 
 /** A folder with a model in it. */
@@ -74,20 +79,65 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(readdirSync(folder).sort()).toEqual(expected.sort());
     }));
 
-  it('prints a summary when nothing is to be written', () =>
+  it('ends with a summary on stderr, whether or not anything is written', () =>
     withModel(objText(cube), async (folder, model) => {
-      const { status, stdout } = await foldwright([model, '--parts', '1', '--quiet']);
-      expect(status).toBe(0);
-      expect(stdout).toBe(`${model}: 12 faces, 1 part, 1 piece on 1 sheet\n`);
-      expect(readdirSync(folder)).toEqual(['model.obj']);
+      const summary = `${model}: 12 faces, 1 part, 1 piece on 1 sheet, 30 x 30 x 30 mm`;
+      const args = [model, '--parts', '1', '--height', '30'];
+      for (const outputs of [[], ['-o', join(folder, 'out.fold')]]) {
+        const { status, stdout, stderr } = await foldwright([...args, ...outputs]);
+        expect([status, stdout]).toEqual([0, '']);
+        const lines = stderr.trimEnd().split('\n');
+        expect(lines.at(-1)).toBe(summary);
+        expect(lines).toContain('placing on sheets');
+      }
+      expect(readdirSync(folder).sort()).toEqual(['model.obj', 'out.fold']);
     }));
 
-  it('tells its progress on stderr', () =>
+  it('tells which of its options change nothing', () =>
     withModel(objText(cube), async (_, model) => {
-      const { status, stderr } = await foldwright([model]);
-      expect(status).toBe(0);
-      expect(stderr).toContain('placing on sheets\n');
+      const { stderr } = await foldwright([
+        model,
+        '--unit',
+        'cm',
+        '--flaps',
+        'none',
+        '--flap-side',
+        'both',
+      ]);
+      const notes = stderr.split('\n').filter((line) => line.startsWith("note: option '"));
+      expect(notes).toEqual([
+        "note: option '--unit' changes nothing without '--scale'",
+        "note: option '--flap-side' changes nothing without flaps",
+      ]);
     }));
+
+  it('says nothing with --quiet', () =>
+    withModel(objText(cube), async (_, model) => {
+      expect(await foldwright([model, '--quiet'])).toEqual({ status: 0, stdout: '', stderr: '' });
+    }));
+
+  it('tells every repair and notice once, each on a line of its own', () => {
+    // One face twice and one turned, so small that no number has room.
+    const { vertices, faces } = cube;
+    const [first, ...rest] = faces;
+    const faulty = { vertices, faces: [[...first!].reverse(), ...rest, rest[0]!] };
+    return withModel(objText(faulty), async (folder, model) => {
+      const report = join(folder, 'report.json');
+      const args = [model, '--parts', '1', '--height', '3', '--folding', 'off', '--report', report];
+      const { status, stderr } = await foldwright(args);
+      expect(status).toBe(0);
+      const notes = stderr.split('\n').flatMap((line) => /^note: (.*)$/.exec(line)?.[1] ?? []);
+      const told = JSON.parse(readFileSync(report, 'utf8')) as ToldReport;
+      expect(told.model.repairs.length).toBeGreaterThan(0);
+      for (const { text } of [...told.model.repairs, ...told.notices])
+        expect(notes).toContain(text);
+      expect(told.notices.map(({ code }) => code)).toContain('unchecked-pieces');
+      expect(new Set(notes).size).toBe(notes.length);
+      expect(notes.join('\n')).toMatch(
+        /no room for a readable number at both sides of \d+ seams: /,
+      );
+    });
+  });
 
   it('gives the same bytes for the same seed', () =>
     withModel(objText(wavyRing(12)), async (folder, model) => {
@@ -143,6 +193,42 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(violations).toEqual([]);
     }),
   );
+
+  it.each([
+    [
+      ['--up', 'y', '--height', '20'],
+      [30, 20, 50],
+    ],
+    [
+      ['--up', 'x', '--height', '60'],
+      [40, 60, 100],
+    ],
+    [
+      ['--up', 'z', '--width', '30'],
+      [30, 50, 20],
+    ],
+    [
+      ['--up', 'z', '--depth', '20'],
+      [30, 50, 20],
+    ],
+    [
+      ['--height', '20'],
+      [30, 20, 50],
+    ],
+  ])('makes a box of 60 x 40 x 100 as large as %j say', (options, size) => {
+    const [x, y, z] = [60, 40, 100];
+    const box = {
+      ...cube,
+      vertices: cube.vertices.map(([a, b, c]) => [(a! * x) / 40, (b! * y) / 40, (c! * z) / 40]),
+    };
+    return withModel(objText(box), async (folder, model) => {
+      const report = join(folder, 'report.json');
+      const args = [model, '--parts', '1', '--report', report, '--quiet', ...options];
+      expect((await foldwright(args)).status).toBe(0);
+      const { size_mm } = JSON.parse(readFileSync(report, 'utf8')) as { size_mm: number[] };
+      size_mm.forEach((mm, axis) => expect(mm).toBeCloseTo(size[axis]!, 9));
+    });
+  });
 
   it.each([
     [

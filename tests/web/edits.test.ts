@@ -45,12 +45,9 @@ function texts({ pieces }: JobResult): string[] {
  */
 function framesByPart(result: JobResult): Map<number, string[]> {
   const frames = new Map<number, string[]>();
-  const { file_frames } = JSON.parse(writeFold(result)) as {
-    file_frames: Record<string, unknown>[];
-  };
-  for (const frame of file_frames) {
-    const part = frame['foldwright:part'] as number;
-    const corners = frame['vertices_coords'] as [number, number][];
+  for (const frame of parseFold(writeFold(result)).nets) {
+    const part = frame['foldwright:part'];
+    const corners = frame.vertices_coords as [number, number][];
     const [first, second] = corners as [[number, number], [number, number]];
     const vertices_coords = corners.map((corner) =>
       [first, second].map((from) => distance(from, corner).toFixed(6)),

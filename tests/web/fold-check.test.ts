@@ -9,8 +9,15 @@ import {
   makeResult,
   slitResult,
 } from './fixtures.js';
-import { checkFold } from './fold-check.js';
-import { parseFold, type FoldFile, type FoldMotion, type NetFrame } from './fold-file.js';
+import { checkFold, checkNets } from './fold-check.js';
+import {
+  parseFold,
+  type FoldFile,
+  type FoldMotion,
+  type KeyFrame,
+  type NetFrame,
+} from './fold-file.js';
+import { checkKeyFrame } from './key-frame-check.js';
 
 /** Eight triangles around a point with more than 360 degrees: as a fan they overlap. */
 const saddle = {
@@ -30,10 +37,10 @@ function broken(change: (file: FoldFile) => void, result: JobResult = cubeResult
   const file = parseFold(writeFold(result));
   expect(checkFold(file)).toEqual([]);
   change(file);
-  return checkFold(file).join('\n');
+  return checkNets(file).join('\n');
 }
 
-const net = (file: FoldFile) => file.file_frames[0]!;
+const net = (file: FoldFile) => file.nets[0]!;
 const foldedEdge = (file: FoldFile) => net(file).edges_assignment.indexOf('M');
 
 /** Makes the two cuts of a slit one fold. */
@@ -73,7 +80,7 @@ describe('checkFold catches', () => {
   it('overlapping faces', () => {
     const fan = Array.from({ length: 7 }, (_, i): [number, number] => [i, i + 1]);
     const result = makeResult(saddle, [layPiece(saddle, 0, fan)]);
-    expect(checkFold(parseFold(writeFold(result))).join('\n')).toMatch(/faces 0 and 5 overlap/);
+    expect(checkNets(parseFold(writeFold(result))).join('\n')).toMatch(/faces 0 and 5 overlap/);
   });
 
   it('a wrong sign', () => {
@@ -101,14 +108,14 @@ describe('checkFold catches', () => {
 
   it('a missing face', () => {
     const drop = (file: FoldFile) => {
-      file.file_frames.splice(1, 1);
+      file.nets.splice(1, 1);
     };
     expect(broken(drop, boxAndLidResult())).toMatch(/face 2 of the model is in the nets 0 times/);
   });
 
   it('a doubled face', () => {
     const double = (file: FoldFile) => {
-      file.file_frames.push({ ...file.file_frames[1]!, 'foldwright:piece': 2 });
+      file.nets.push({ ...file.nets[1]!, 'foldwright:piece': 2 });
     };
     expect(broken(double, boxAndLidResult())).toMatch(/face 2 of the model is in the nets 2 times/);
   });
@@ -160,7 +167,7 @@ describe('checkFold catches', () => {
   it('no fault in a straight fold of several edges', () => {
     const file = parseFold(writeFold(slitResult()));
     glueSlit(net(file), 'V', 90);
-    expect(checkFold(file)).toEqual([]);
+    expect(checkNets(file)).toEqual([]);
   });
 
   it.each([
@@ -197,5 +204,53 @@ describe('checkFold catches', () => {
       net(file).frame_unit = 'cm';
     };
     expect(broken(rename)).toMatch(/not mm/);
+  });
+});
+
+describe('checkKeyFrame catches', () => {
+  const keyFaults = (change: (key: KeyFrame) => void): string => {
+    const file = parseFold(writeFold(boxAndLidResult()));
+    expect(checkKeyFrame(file)).toEqual([]);
+    change(file.key);
+    return checkKeyFrame(file).join('\n');
+  };
+  const lidFaces = (key: KeyFrame) => new Set(key.faces_vertices.slice(-2).flat());
+
+  it('pieces that lie on each other', () => {
+    const shift = (key: KeyFrame) => {
+      for (const vertex of lidFaces(key)) key.vertices_coords[vertex]![0]! -= 220;
+    };
+    expect(keyFaults(shift)).toMatch(/^key frame: faces \d+ and \d+ overlap/);
+  });
+
+  it('a piece that is not as its own frame has it', () => {
+    const stretch = (key: KeyFrame) => {
+      key.vertices_coords[0]![1]! += 1e-6;
+    };
+    expect(keyFaults(stretch)).toMatch(/piece 0: vertex \d+ is elsewhere/);
+  });
+
+  it('a fold of another angle', () => {
+    const bend = (key: KeyFrame) => {
+      key.edges_foldAngle[key.edges_assignment.indexOf('M')] = -45;
+    };
+    expect(keyFaults(bend)).toBe('key frame: piece 0: edge 1 is another one');
+  });
+
+  it('a piece that is missing', () => {
+    const drop = (key: KeyFrame) => {
+      key.faces_vertices.splice(-2);
+      key['faces_foldwright:source'].splice(-2);
+    };
+    expect(keyFaults(drop)).toMatch(/has 10 faces, the pieces have 12/);
+  });
+
+  it('an edge that is listed twice', () => {
+    const double = (key: KeyFrame) => {
+      key.edges_vertices.push(key.edges_vertices[0]!);
+      key.edges_assignment.push(key.edges_assignment[0]!);
+      key.edges_foldAngle.push(key.edges_foldAngle[0]!);
+    };
+    expect(keyFaults(double)).toMatch(/edge \d+ is listed twice/);
   });
 });

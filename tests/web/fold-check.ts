@@ -3,14 +3,20 @@
  * model? Recomputes everything from coordinates and shares no code with what writes the files.
  */
 import type { FoldFile, NetFrame } from './fold-file.js';
+import { checkKeyFrame } from './key-frame-check.js';
 import { checkMotion } from './motion-check.js';
-import { overlappingPairs } from './net-overlap.js';
+import {
+  edgeFaults,
+  edgeKey,
+  overlapFaults,
+  shapeFaults,
+  sidesOf,
+  type Side,
+} from './pattern-check.js';
 import { cross, distance, dot, length, minus, type Vector } from './vectors.js';
 
 /** Relative to the longest edge of a face. */
 const lengthTolerance = 1e-6;
-/** Relative to the square of the mean edge. */
-const areaTolerance = 1e-7;
 /** Relative to the distance; what is not straight within this, the lengths of the faces tell. */
 const lineTolerance = 1e-5;
 /** Degrees; single sharp faces get more, see `angleTolerance`. */
@@ -67,25 +73,6 @@ function foldAngle(a: Vector[], b: Vector[], from: Vector, to: Vector): number {
   return (-Math.atan2(sine, dot(m, n)) * 180) / Math.PI;
 }
 
-/** The faces beside an edge of a net, each with the corner at which its walk along it begins. */
-interface Side {
-  face: number;
-  corner: number;
-}
-
-const edgeKey = (a: number, b: number): string => (a < b ? `${a} ${b}` : `${b} ${a}`);
-
-function sidesOf(net: NetFrame): Map<string, Side[]> {
-  const sides = new Map<string, Side[]>();
-  net.faces_vertices.forEach((face, f) => {
-    face.forEach((from, corner) => {
-      const key = edgeKey(from, face[(corner + 1) % face.length]!);
-      sides.set(key, [...(sides.get(key) ?? []), { face: f, corner }]);
-    });
-  });
-  return sides;
-}
-
 /** One net under examination, and what is wrong with it. */
 class NetCheck {
   readonly violations: string[] = [];
@@ -101,11 +88,11 @@ class NetCheck {
   run(): string[] {
     this.checkShape();
     if (this.violations.length === 0) {
-      this.checkEdges();
+      edgeFaults(this.net).forEach((sentence) => this.say(sentence));
       this.checkConnected();
       this.checkTree();
       this.checkCorners();
-      this.checkOverlaps();
+      overlapFaults(this.net).forEach((sentence) => this.say(sentence));
     }
     return this.violations;
   }
@@ -115,7 +102,7 @@ class NetCheck {
   }
 
   private source(face: number): number[] {
-    return this.file.faces_vertices[this.net['faces_foldwright:source'][face]!]!;
+    return this.file.model.faces_vertices[this.net['faces_foldwright:source'][face]!]!;
   }
 
   private flat(face: number): Vector[] {
@@ -123,54 +110,20 @@ class NetCheck {
   }
 
   private solid(face: number): Vector[] {
-    return this.source(face).map((vertex) => this.file.vertices_coords[vertex]!);
+    return this.source(face).map((vertex) => this.file.model.vertices_coords[vertex]!);
   }
 
-  /** The counts and indices that everything else relies on. */
+  /** The shape of the frame, and that its faces have originals. */
   private checkShape(): void {
     const { net, file } = this;
-    if (net.frame_classes.join() !== 'creasePattern') this.say('is no crease pattern');
-    if (net.frame_unit !== 'mm') this.say(`its unit is ${net.frame_unit}, not mm`);
-    const edges = net.edges_vertices.length;
-    if (net.edges_assignment.length !== edges || net.edges_foldAngle.length !== edges) {
-      this.say('edges, assignments and fold angles differ in number');
-    }
-    if (net['faces_foldwright:source'].length !== net.faces_vertices.length) {
-      this.say('faces and sources differ in number');
-      return;
-    }
-    if (!net.vertices_coords.flat().every(Number.isFinite)) this.say('a coordinate is not finite');
-    const known = (vertex: number) => net.vertices_coords[vertex]?.length === 2;
-    if (![...net.faces_vertices.flat(), ...net.edges_vertices.flat()].every(known)) {
-      this.say('an index of a vertex has no vertex in the plane');
-    }
-    net['faces_foldwright:source'].forEach((source, face) => {
-      const original = file.faces_vertices[source];
+    shapeFaults(net).forEach((sentence) => this.say(sentence));
+    net['faces_foldwright:source'].slice(0, net.faces_vertices.length).forEach((source, face) => {
+      const original = file.model.faces_vertices[source];
       if (!original) this.say(`face ${face} has no original ${source}`);
       else if (original.length !== net.faces_vertices[face]!.length) {
         this.say(`face ${face} has another number of corners than its original ${source}`);
       }
     });
-  }
-
-  /** Every side of a face is listed as an edge, once, and cut where no other face joins it. */
-  private checkEdges(): void {
-    const listed = new Set<string>();
-    this.net.edges_vertices.forEach(([a, b], edge) => {
-      const key = edgeKey(a!, b!);
-      const faces = this.sides.get(key)?.length ?? 0;
-      const assignment = this.net.edges_assignment[edge]!;
-      if (listed.has(key)) this.say(`edge ${edge} is listed twice`);
-      listed.add(key);
-      if (faces === 0) this.say(`edge ${edge} belongs to no face`);
-      if (faces > 2) this.say(`edge ${edge} belongs to ${faces} faces`);
-      if (!'BMVF'.includes(assignment)) this.say(`edge ${edge} is assigned ${assignment}`);
-      if (faces === 1 && assignment !== 'B') this.say(`edge ${edge} folds but has one face`);
-      if (faces === 2 && assignment === 'B') this.say(`edge ${edge} is cut but joins two faces`);
-    });
-    for (const key of this.sides.keys()) {
-      if (!listed.has(key)) this.say(`the side ${key} of a face is no edge`);
-    }
   }
 
   /** Pairs of faces joined by an edge with one of these assignments. */
@@ -329,42 +282,24 @@ class NetCheck {
       sentences.push(`edge ${edge} of ${wanted} degrees is assigned ${assignment}`);
     return sentences;
   }
-
-  private checkOverlaps(): void {
-    const { net } = this;
-    const lengths = net.edges_vertices.map(([a, b]) =>
-      distance(net.vertices_coords[a!]!, net.vertices_coords[b!]!),
-    );
-    const mean = lengths.reduce((sum, value) => sum + value, 0) / lengths.length;
-    const polygons = net.faces_vertices.map((_, face) => this.flat(face));
-    for (const [a, b] of overlappingPairs(polygons, areaTolerance * mean * mean)) {
-      this.say(`faces ${a} and ${b} overlap`);
-    }
-    net.edges_assignment.forEach((assignment, edge) => {
-      if (assignment === 'B' && net.edges_foldAngle[edge] !== null) {
-        this.say(`edge ${edge} is cut but has a fold angle`);
-      }
-    });
-  }
 }
 
-function checkHead(file: FoldFile): string[] {
+function checkHead({ key, model, nets }: FoldFile): string[] {
   const found: string[] = [];
-  if (file.file_spec !== 1.2) found.push(`the version is ${file.file_spec}, not 1.2`);
-  if (file.frame_classes.join() !== 'foldedForm') found.push('the top frame is no folded form');
-  if (file.frame_unit !== 'mm') found.push(`the unit is ${file.frame_unit}, not mm`);
-  if (!file.vertices_coords.every((point) => point.length === 3 && point.every(Number.isFinite))) {
+  if (key.file_spec !== 1.2) found.push(`the version is ${key.file_spec}, not 1.2`);
+  if (model.frame_unit !== 'mm') found.push(`the unit is ${model.frame_unit}, not mm`);
+  if (!model.vertices_coords.every((point) => point.length === 3 && point.every(Number.isFinite))) {
     found.push('a vertex of the model is no point in space');
   }
-  const ids = file.file_frames.map((net) => net['foldwright:piece']);
+  const ids = nets.map((net) => net['foldwright:piece']);
   if (new Set(ids).size !== ids.length) found.push('two pieces have the same number');
   return found;
 }
 
 /** Every face of the model in exactly one place of exactly one net. */
-function checkCoverage(file: FoldFile): string[] {
-  const times = file.faces_vertices.map(() => 0);
-  for (const net of file.file_frames) {
+function checkCoverage({ model, nets }: FoldFile): string[] {
+  const times = model.faces_vertices.map(() => 0);
+  for (const net of nets) {
     for (const source of net['faces_foldwright:source']) times[source] = (times[source] ?? 0) + 1;
   }
   return times.flatMap((count, face) =>
@@ -372,11 +307,15 @@ function checkCoverage(file: FoldFile): string[] {
   );
 }
 
-/** One sentence for each thing that is wrong with the nets of a parsed FOLD file; none if it is good. */
-export function checkFold(file: FoldFile): string[] {
-  const nets = file.file_frames.flatMap((net) => new NetCheck(file, net).run());
+/** One sentence for each thing that is wrong with the nets of a FOLD file; none if it is good. */
+export function checkNets(file: FoldFile): string[] {
+  const nets = file.nets.flatMap((net) => new NetCheck(file, net).run());
   // The motion of a net that is wrong in itself says nothing.
-  const motions =
-    nets.length === 0 ? file.file_frames.flatMap((net) => checkMotion(file, net)) : [];
+  const motions = nets.length === 0 ? file.nets.flatMap((net) => checkMotion(file, net)) : [];
   return [...checkHead(file), ...checkCoverage(file), ...nets, ...motions];
+}
+
+/** One sentence for each thing that is wrong with a FOLD file, its key frame included. */
+export function checkFold(file: FoldFile): string[] {
+  return [...checkNets(file), ...checkKeyFrame(file)];
 }

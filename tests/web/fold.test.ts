@@ -24,16 +24,16 @@ describe('writeFold', () => {
 
   it('keeps every bit of the coordinates', () => {
     const file = parseFold(writeFold(results.tetrahedron));
-    expect(Float64Array.from(file.vertices_coords.flat())).toEqual(
+    expect(Float64Array.from(file.model.vertices_coords.flat())).toEqual(
       results.tetrahedron.model.vertices,
     );
-    expect(Float64Array.from(file.file_frames[0]!.vertices_coords.flat())).toEqual(
+    expect(Float64Array.from(file.nets[0]!.vertices_coords.flat())).toEqual(
       results.tetrahedron.pieces[0]!.vertices,
     );
   });
 
   it('writes mountains as negative angles and cuts as null', () => {
-    const [net] = parseFold(writeFold(results.tetrahedron)).file_frames;
+    const [net] = parseFold(writeFold(results.tetrahedron)).nets;
     const angles = net!.edges_assignment.map((letter, i) => [letter, net!.edges_foldAngle[i]]);
     expect(angles.filter(([letter]) => letter === 'B').every(([, angle]) => angle === null)).toBe(
       true,
@@ -45,9 +45,9 @@ describe('writeFold', () => {
   });
 
   it('lists every edge of the model once', () => {
-    const file = JSON.parse(writeFold(results.cube)) as { edges_vertices: number[][] };
-    expect(new Set(file.edges_vertices.map((edge) => edge.join())).size).toBe(18);
-    expect(file.edges_vertices).toHaveLength(18);
+    const { edges_vertices } = parseFold(writeFold(results.cube)).model;
+    expect(new Set(edges_vertices.map((edge) => edge.join())).size).toBe(18);
+    expect(edges_vertices).toHaveLength(18);
   });
 
   it('is the same text every time', () => {

@@ -3,7 +3,7 @@
  * space one beside the other, by lengths and angles alone, and shares no code with what moves faces
  * on screen.
  */
-import type { FoldFile, FoldMotion, NetFrame } from './fold-file.js';
+import type { FoldFile, FoldMotion, ModelFrame, NetFrame } from './fold-file.js';
 import { cross, dot, length, minus, type Vector } from './vectors.js';
 
 /** Of a corner of the folded net from its place, relative to the size of the model. */
@@ -136,7 +136,7 @@ function waysOnto(net: NetFrame, root: number, original: Vector[], tolerance: nu
 }
 
 /** The diagonal of the model's box. */
-function sizeOf({ vertices_coords }: FoldFile): number {
+function sizeOf({ vertices_coords }: ModelFrame): number {
   const extents = [0, 1, 2].map((axis) => {
     const values = vertices_coords.map((p) => p[axis]!);
     return Math.max(...values) - Math.min(...values);
@@ -147,10 +147,10 @@ function sizeOf({ vertices_coords }: FoldFile): number {
 /** Folds the net up from its root, which is laid onto its original, and compares all faces. */
 function checkFolded(file: FoldFile, net: NetFrame, root: number): string[] {
   const original = (face: number): Vector[] =>
-    file.faces_vertices[net['faces_foldwright:source'][face]!]!.map(
-      (vertex) => file.vertices_coords[vertex]!,
+    file.model.faces_vertices[net['faces_foldwright:source'][face]!]!.map(
+      (vertex) => file.model.vertices_coords[vertex]!,
     );
-  const tolerance = placeTolerance * sizeOf(file);
+  const tolerance = placeTolerance * sizeOf(file.model);
   const joints = jointsOf(net);
   const distances = waysOnto(net, root, original(root), tolerance).map((rootPlaced) => {
     let worst = 0;

@@ -35,17 +35,6 @@ describe('the words of a result', () => {
     expect(netRemarks(result)).toEqual(expect.arrayContaining(lines));
   });
 
-  it('say which pieces were not checked', () => {
-    const result = boxAndLidResult();
-    const told = (): string[] => netRemarks(result).filter((line) => line.includes('not checked'));
-    for (const piece of result.pieces) piece.foldable = 'line';
-    expect(told()).toEqual([]);
-    result.pieces[1]!.foldable = 'unchecked';
-    expect(told()).toEqual(['Piece B was not checked for a way to fold up.']);
-    result.pieces[0]!.foldable = 'unchecked';
-    expect(told()).toEqual(['Pieces A and B were not checked for a way to fold up.']);
-  });
-
   it('tell pieces and sheets, even of a run that was cancelled', () => {
     const result = boxAndLidResult();
     expect(leadSentence(result, paper)).toMatch(/ on \d+ sheets? of A4\.$/);

@@ -1,5 +1,5 @@
 /** What sheets have to show, from the model and the nets of a FOLD file. */
-import type { FoldFile, NetFrame } from './fold-file.js';
+import type { FoldFile, ModelFrame, NetFrame } from './fold-file.js';
 import type { PieceLines, Point } from './sheet-file.js';
 import { cross, dot, minus, type Vector } from './vectors.js';
 
@@ -22,7 +22,7 @@ const letterOf = (piece: number): string =>
   (piece < 26 ? '' : letterOf(Math.floor(piece / 26) - 1)) + String.fromCharCode(65 + (piece % 26));
 
 /** Per directed edge of the model: the face on its left. */
-function facesByEdge({ faces_vertices }: FoldFile): Map<string, number> {
+function facesByEdge({ faces_vertices }: ModelFrame): Map<string, number> {
   const faces = new Map<string, number>();
   faces_vertices.forEach((corners, face) => {
     corners.forEach((v, i) => faces.set(`${v} ${corners[(i + 1) % corners.length]}`, face));
@@ -55,20 +55,21 @@ function offset(frame: NetFrame, { cuts }: PieceLines): Point {
 
 /** The neighbour's third corner over the edge, and the angle between the faces. */
 function across(
-  file: FoldFile,
+  model: ModelFrame,
   faces: Map<string, number>,
   [u, v]: [number, number],
 ): { along: number; out: number; angle: number } | null {
   const [face, other] = [faces.get(`${u} ${v}`), faces.get(`${v} ${u}`)];
   if (face === undefined || other === undefined) return null;
-  const at = (vertex: number): Vector => file.vertices_coords[vertex]!;
-  const third = (f: number): Vector => at(file.faces_vertices[f]!.find((w) => w !== u && w !== v)!);
+  const at = (vertex: number): Vector => model.vertices_coords[vertex]!;
+  const third = (f: number): Vector =>
+    at(model.faces_vertices[f]!.find((w) => w !== u && w !== v)!);
   const edge = minus(at(v), at(u));
   const length = Math.hypot(...edge);
   const far = minus(third(other), at(u));
   const along = dot(far, edge) / length;
   const normal = (f: number): Vector => {
-    const [a, b, c] = file.faces_vertices[f]!.map(at);
+    const [a, b, c] = model.faces_vertices[f]!.map(at);
     return cross(minus(b!, a!), minus(c!, a!));
   };
   const [n, m] = [normal(face), normal(other)];
@@ -79,11 +80,11 @@ function across(
 
 /** The pieces of a file where they lie on their sheets. */
 export function pieceLines(
-  file: FoldFile,
+  { model, nets }: FoldFile,
   drawn: Map<string, PieceLines>,
 ): { letter: string; frame: NetFrame; net: Lines }[] {
-  const faces = facesByEdge(file);
-  return file.file_frames.map((frame) => {
+  const faces = facesByEdge(model);
+  return nets.map((frame) => {
     const letter = letterOf(frame['foldwright:piece']);
     const lines = drawn.get(letter);
     const [dx, dy] = lines ? offset(frame, lines) : [0, 0];
@@ -98,11 +99,11 @@ export function pieceLines(
     );
     const sides: CutSide[] = [];
     frame.faces_vertices.forEach((corners, f) => {
-      const source = file.faces_vertices[frame['faces_foldwright:source'][f]!]!;
+      const source = model.faces_vertices[frame['faces_foldwright:source'][f]!]!;
       corners.forEach((a, i) => {
         const next = (i + 1) % corners.length;
         if (!cut.has(`${a} ${corners[next]}`)) return;
-        const beyond = across(file, faces, [source[i]!, source[next]!]);
+        const beyond = across(model, faces, [source[i]!, source[next]!]);
         if (!beyond) return;
         const [from, to] = [place(a), place(corners[next]!)];
         const length = Math.hypot(to[0] - from[0], to[1] - from[1]);

@@ -1,7 +1,7 @@
 import type { TimedResult } from '../core/client.js';
-import type { FlapCounts, JobResult, Model, Notice } from '../model/job.js';
+import type { JobResult, Model, Notice } from '../model/job.js';
+import { leftOut } from '../model/left-out.js';
 import type { PaperSize } from '../model/paper.js';
-import { listed } from './folding-words.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -98,81 +98,13 @@ export function repairRemarks({ repairs }: JobResult): string[] {
   return repairs.map(({ text }) => sentence(text));
 }
 
-/** Why seams have no flap, with what that means. */
-const missWords: Readonly<Record<keyof FlapCounts['missing'], string>> = {
-  narrow: 'in wedges too narrow for one',
-  thin: 'where the neighbouring face is too thin to hide one',
-  blocked: 'where something else of the piece is in the way',
-  short: 'too short for one',
-};
-
-/** The seams without a flap, by why there is none. */
-function flapRemarks({ flaps: { missing, missing_mm, wanted_mm } }: JobResult): string[] {
-  const classes = (Object.keys(missWords) as (keyof typeof missing)[]).filter(
-    (name) => missing[name] > 0,
-  );
-  if (classes.length === 0) return [];
-  const all = classes.reduce((sum, name) => sum + missing[name], 0);
-  const reasons = classes.map((name) => `${missing[name]} ${missWords[name]}`);
-  const share = Math.round((100 * missing_mm) / wanted_mm);
-  return [
-    `No flap on ${count(all, 'seam')}: ${reasons.join(', ')}. That is ${share} % of the length of all ` +
-      'seams; close them with tape or strips of paper from inside.',
-  ];
-}
-
-/** Numbers as people list them: 3, 5 to 7, 12. */
-function numberList(numbers: readonly number[]): string {
-  const runs: [from: number, to: number][] = [];
-  for (const number of numbers) {
-    const last = runs.at(-1);
-    if (last && number === last[1] + 1) last[1] = number;
-    else runs.push([number, number]);
-  }
-  return runs
-    .map(([from, to]) =>
-      from === to ? `${from}` : to === from + 1 ? `${from}, ${to}` : `${from} to ${to}`,
-    )
-    .join(', ');
-}
-
-/** The seams without a number at one side at least. */
-function idRemarks({ ids: { skipped } }: JobResult): string[] {
-  if (skipped.length === 0) return [];
-  const numbers = numberList(Array.from(skipped).sort((a, b) => a - b));
-  return [
-    `No room for a readable number at both sides of ${count(skipped.length, 'seam')}: ${numbers}.`,
-  ];
-}
-
-/** The pieces that do not say which they are. */
-function nameRemarks({ pieces }: JobResult): string[] {
-  const nameless = pieces.filter(({ name, labels }) => labels.every(({ text }) => text !== name));
-  if (nameless.length === 0) return [];
-  const names = nameless.map(({ name }) => name);
-  const [piece, it] = names.length === 1 ? ['piece', 'its name'] : ['pieces', 'their names'];
-  return [`No room for ${it} on ${piece} ${listed(names)}; short names need less.`];
-}
-
-/** The pieces of which nobody knows whether they fold up: it was not to be looked for, or took too long. */
-function foldRemarks({ pieces }: JobResult): string[] {
-  const names = pieces.filter(({ foldable }) => foldable === 'unchecked').map(({ name }) => name);
-  if (names.length === 0) return [];
-  const subject = names.length === 1 ? 'Piece' : 'Pieces';
-  const verb = names.length === 1 ? 'was' : 'were';
-  return [`${subject} ${listed(names)} ${verb} not checked for a way to fold up.`];
-}
-
 /** What a person should know about the nets. */
 export function netRemarks(result: JobResult): string[] {
   const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
   return [
     ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
-    ...foldRemarks(result),
     ...noticeRemarks(result.notices),
-    ...nameRemarks(result),
-    ...flapRemarks(result),
-    ...idRemarks(result),
+    ...leftOut(result).map(sentence),
   ];
 }
 

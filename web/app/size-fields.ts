@@ -1,8 +1,8 @@
-import type { JobOptions, Sizing, Unit } from '../model/job.js';
+import type { JobOptions, Sizing, Unit, Up } from '../model/job.js';
 import { find } from './dom.js';
 
 /** What these fields decide. */
-export type Size = Pick<JobOptions, 'sizing' | 'size' | 'unit'>;
+export type Size = Pick<JobOptions, 'sizing' | 'size' | 'unit' | 'up'>;
 
 /** How the number of each kind of size is asked for. */
 interface Amount {
@@ -16,19 +16,22 @@ interface Amount {
 const amounts: Readonly<Record<Exclude<Sizing, 'fit'>, Amount>> = {
   height: { label: 'Height, mm', least: '1', most: '100000', step: 'any', start: '150' },
   width: { label: 'Width, mm', least: '1', most: '100000', step: 'any', start: '150' },
+  depth: { label: 'Depth, mm', least: '1', most: '100000', step: 'any', start: '150' },
   scale: { label: 'Factor', least: '0.000001', most: '1000000', step: 'any', start: '1' },
   sheets: { label: 'Sheets at most', least: '1', most: '1000', step: '1', start: '4' },
 };
 
 const units: readonly Unit[] = ['guess', 'mm', 'cm', 'm', 'in'];
+const ups: readonly Up[] = ['guess', 'x', 'y', 'z'];
 
-/** The fields for the finished size; the number and the unit show only where they are used. */
+/** The fields for the finished size and which way is up; the number and the unit show only where they are used. */
 export class SizeFields {
   private readonly kind = find('#sizing', HTMLSelectElement);
   private readonly amount = find('#size', HTMLInputElement);
   private readonly amountField = find('#size-field', HTMLElement);
   private readonly amountLabel = find('#size-label', HTMLElement);
   private readonly unit = find('#unit', HTMLSelectElement);
+  private readonly up = find('#up', HTMLSelectElement);
   private readonly unitField = find('#unit-field', HTMLElement);
 
   constructor() {
@@ -40,7 +43,12 @@ export class SizeFields {
   read(): Size {
     const sizing = this.sizing();
     const size = sizing === 'fit' ? 0 : this.amount.valueAsNumber;
-    return { sizing, size, unit: units.find((name) => name === this.unit.value) ?? 'guess' };
+    return {
+      sizing,
+      size,
+      unit: units.find((name) => name === this.unit.value) ?? 'guess',
+      up: ups.find((name) => name === this.up.value) ?? 'guess',
+    };
   }
 
   private sizing(): Sizing {

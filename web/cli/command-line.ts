@@ -3,6 +3,7 @@ import { version } from '../../package.json';
 import type { Edit } from '../model/job.js';
 import { merge, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
+import { idleOptions } from './idle-options.js';
 import { laterRows, rows, sizings, type Row, type Settings } from './options.js';
 import { BadValue, type Parser } from './values.js';
 
@@ -13,6 +14,8 @@ export interface Commands {
   report: string | null;
   quiet: boolean;
   settings: Settings;
+  /** What was asked for in vain, in phrases for people. */
+  idle: string[];
   /** What is to be changed in the parts that come out. */
   edits: Edit[];
   /** The same, as it was written. */
@@ -79,7 +82,7 @@ function describe(): Command {
       collect,
     )
     .option('--merge <a,b>', 'merge these parts that touch; may be given several times', collect)
-    .option('--quiet', 'no progress on stderr; errors stay')
+    .option('--quiet', 'nothing on stderr but errors')
     .version(version)
     .exitOverride()
     .configureOutput({ writeErr: () => undefined });
@@ -97,6 +100,13 @@ function refuseLater(program: Command): void {
     const value = valueOf(program, name);
     if (value !== undefined && value !== same) throw laterError(name);
   }
+}
+
+/** The rows that somebody wrote, and did not leave as they are. */
+function givenRows(program: Command): Set<string> {
+  const isGiven = (name: string): boolean =>
+    program.getOptionValueSource(new Option(`--${name}`).attributeName()) === 'cli';
+  return new Set(Object.keys(rows).filter(isGiven));
 }
 
 function settingsOf(program: Command): Settings {
@@ -129,12 +139,14 @@ export function parseCommandLine(args: string[]): Commands {
   refuseLater(program);
   const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
   const editWords = { split: words.split ?? [], merge: words.merge ?? [] };
+  const settings = settingsOf(program);
   return {
     model: program.args[0]!,
     outputs: output,
     report: report ?? null,
     quiet,
-    settings: settingsOf(program),
+    settings,
+    idle: idleOptions(givenRows(program), settings),
     edits: [
       ...editWords.split.map((text) => parsed('split', split, text)),
       ...editWords.merge.map((text) => parsed('merge', merge, text)),

@@ -7,6 +7,7 @@ import type { TimedEvent } from '../core/protocol.js';
 import { preparePrint, type Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
 import { startFrom } from '../model/edits.js';
+import { leftOut } from '../model/left-out.js';
 import { addSeconds } from '../model/stage-seconds.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
@@ -45,10 +46,13 @@ function together(before: TimedResult, result: TimedResult): TimedResult {
 }
 
 /** Runs the job in workers, so that this thread hears signals at once. */
-async function runEngine(commands: Commands, bytes: Uint8Array): Promise<TimedResult> {
-  const { edits, model, quiet, settings } = commands;
+async function runEngine(
+  commands: Commands,
+  bytes: Uint8Array,
+  progress: Progress | null,
+): Promise<TimedResult> {
+  const { edits, model, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
-  const progress = quiet ? null : new Progress(process.stderr);
   const hear = (event: TimedEvent): void => progress?.hear(event);
   const run = (options: RunOptions): Promise<TimedResult> =>
     runJob(pool, bytes, basename(model), jobOptions(settings), options);
@@ -94,15 +98,24 @@ function renderReport(
   return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
 }
 
+/** Everything that was done to the model and everything that is missing on paper. */
+function remarks(result: TimedResult, print: Print): string[] {
+  const known = [...result.repairs, ...result.notices, ...print.notices].map(({ text }) => text);
+  return [...known, ...leftOut(result)];
+}
+
 async function run(args: string[]): Promise<void> {
   const commands = parseCommandLine(args);
   checkOutputs(commands);
-  const result = await runEngine(commands, readModelFile(commands.model));
+  const progress = commands.quiet ? null : new Progress(process.stderr);
+  commands.idle.forEach((text) => progress?.note(text));
+  const result = await runEngine(commands, readModelFile(commands.model), progress);
   const print = await layOut(commands, result);
   const files = await renderOutputs(commands.outputs, result, print);
   files.push(...renderReport(commands, files, result, print));
+  remarks(result, print).forEach((text) => progress?.note(text));
   writeFiles(files);
-  if (files.length === 0) console.log(summarize(commands.model, result));
+  progress?.conclude(summarize(commands.model, result));
 }
 
 function fail(error: unknown): void {

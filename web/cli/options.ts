@@ -93,9 +93,26 @@ export const rows = {
     'MM|none',
     'none',
     wordOr('none', decimal(1, 100_000)),
-    'finished height (along y); pieces too large for the sheet are cut again',
+    'finished height, from below to above; pieces too large for the sheet are cut again',
   ),
-  width: row('MM|none', 'none', wordOr('none', decimal(1, 100_000)), 'finished width (along x)'),
+  width: row(
+    'MM|none',
+    'none',
+    wordOr('none', decimal(1, 100_000)),
+    'finished width: along x, or along y with x up',
+  ),
+  depth: row(
+    'MM|none',
+    'none',
+    wordOr('none', decimal(1, 100_000)),
+    'finished depth: along z, or along y with z up',
+  ),
+  up: row(
+    'AXIS|guess',
+    defaultOptions.up,
+    choice(['guess', 'x', 'y', 'z']),
+    'axis of the file that points up: x, y or z; guess: z for STL, else y',
+  ),
   scale: row(
     'F|none',
     'none',
@@ -233,7 +250,7 @@ export function echo(settings: Settings): Record<string, unknown> {
 }
 
 /** The options of which at most one may be given. */
-export const sizings = ['height', 'width', 'scale', 'sheets'] as const;
+export const sizings = ['height', 'width', 'depth', 'scale', 'sheets'] as const;
 
 function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
   for (const sizing of sizings) {
@@ -301,6 +318,7 @@ export function jobOptions(settings: Settings): JobOptions {
     proxy,
     seed,
     faces: faces === 'off' ? 0 : faces,
+    up: settings.up,
     ...sizeOptions(settings),
     ...flapOptions(settings),
     // Edges, parts and pieces are chosen where they can be seen.

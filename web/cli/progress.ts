@@ -11,19 +11,34 @@ const stageNames: Record<Stage, string> = {
   paper: 'placing on sheets',
 };
 
-/** Tells on a stream how a job goes: one line that changes on a terminal, else one per stage. */
+/**
+ * Tells on a stream how a job goes, one line that changes on a terminal, else one per stage; what there
+ * is to know of it, each thing once; and at last what came out.
+ */
 export class Progress {
   private stage: Stage | null = null;
+  private readonly said = new Set<string>();
 
   constructor(private readonly stream: WriteStream) {}
 
   readonly hear = (event: TimedEvent): void => {
-    if (event.type === 'notice') {
-      this.clear();
-      this.stream.write(`note: ${event.text}\n`);
-    }
+    if (event.type === 'notice') this.note(event.text);
     if (event.type === 'stage') this.tell(event.stage, event.progress);
   };
+
+  /** Writes a phrase on a line of its own, unless it was said before. */
+  note(text: string): void {
+    if (this.said.has(text)) return;
+    this.said.add(text);
+    this.clear();
+    this.stream.write(`note: ${text}\n`);
+  }
+
+  /** Writes the last line. */
+  conclude(summary: string): void {
+    this.clear();
+    this.stream.write(`${summary}\n`);
+  }
 
   /** Leaves the terminal's line empty for whatever comes next. */
   clear(): void {

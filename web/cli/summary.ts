@@ -1,15 +1,25 @@
-import type { JobResult } from '../model/job.js';
+import { extentsOf } from '../model/bounds.js';
+import type { JobResult, Model } from '../model/job.js';
+
+/** Below so many mm a length is told to a tenth. */
+const small = 10;
 
 function count(number: number, noun: string): string {
   return `${number} ${noun}${number === 1 ? '' : 's'}`;
 }
 
+/** Width, height and depth of the finished model. */
+function finishedSize({ vertices }: Model): string {
+  const lengths = extentsOf(vertices).map((mm) => Number(mm.toFixed(mm < small ? 1 : 0)));
+  return `${lengths.join(' x ')} mm`;
+}
+
 /** What came out, in one line for people. */
 export function summarize(
-  model: string,
-  { model: mesh, parts, pieces, sheets }: JobResult,
+  name: string,
+  { model, parts, pieces, sheets }: Pick<JobResult, 'model' | 'parts' | 'pieces' | 'sheets'>,
 ): string {
-  const faces = count(mesh.faces.length / 3, 'face');
+  const faces = count(model.faces.length / 3, 'face');
   const nets = `${count(parts, 'part')}, ${count(pieces.length, 'piece')}`;
-  return `${model}: ${faces}, ${nets} on ${count(sheets.length, 'sheet')}`;
+  return `${name}: ${faces}, ${nets} on ${count(sheets.length, 'sheet')}, ${finishedSize(model)}`;
 }

@@ -1,7 +1,10 @@
-import type { JobResult, Model, Piece } from '../model/job.js';
+import type { JobResult, Model, Piece, Sheet } from '../model/job.js';
 
 /** Keys and values in the order in which they are written. */
 type Entries = [key: string, value: unknown][];
+
+/** Millimetres between sheets side by side: pieces on sheets without margins do not touch. */
+const sheetGap = 10;
 
 /** Rows of `width` numbers each. */
 function rows(values: ArrayLike<number>, width: number): number[][] {
@@ -37,6 +40,80 @@ function modelFrame(model: Model): Entries {
   ];
 }
 
+/** Nets in one plane, as the lists of a crease pattern. */
+interface Nets {
+  vertices: number[][];
+  edges: number[][];
+  assignments: string[];
+  angles: (number | null)[];
+  faces: number[][];
+  sources: number[];
+}
+
+function netOf(piece: Piece): Nets {
+  return {
+    vertices: rows(piece.vertices, 2),
+    edges: rows(piece.edges, 2),
+    assignments: [...piece.assignments],
+    angles: Array.from(piece.foldAngles),
+    faces: rows(piece.faces, 3),
+    sources: Array.from(piece.sources),
+  };
+}
+
+/** Where each sheet begins when all lie side by side from the left to the right. */
+function sheetStarts(sheets: readonly Sheet[]): number[] {
+  let end = -sheetGap;
+  return sheets.map(({ width }) => {
+    const start = end + sheetGap;
+    end = start + width;
+    return start;
+  });
+}
+
+/** All pieces as they lie on their sheets, and the sheets side by side. */
+function layOut({ pieces, sheets }: JobResult): Nets {
+  const starts = sheetStarts(sheets);
+  const all: Nets = {
+    vertices: [],
+    edges: [],
+    assignments: [],
+    angles: [],
+    faces: [],
+    sources: [],
+  };
+  for (const piece of pieces) {
+    const net = netOf(piece);
+    const first = all.vertices.length;
+    const left = starts[piece.sheet]! + piece.x;
+    const shifted = (lists: number[][]): number[][] =>
+      lists.map((list) => list.map((vertex) => first + vertex));
+    for (const [x, y] of net.vertices) all.vertices.push([left + x!, piece.y + y!]);
+    all.edges.push(...shifted(net.edges));
+    all.assignments.push(...net.assignments);
+    all.angles.push(...net.angles);
+    all.faces.push(...shifted(net.faces));
+    all.sources.push(...net.sources);
+  }
+  return all;
+}
+
+function patternFrame(title: string, nets: Nets): Entries {
+  return [
+    ['frame_title', title],
+    ['frame_classes', ['creasePattern']],
+    ['frame_attributes', ['2D']],
+    ['frame_unit', 'mm'],
+    ['vertices_coords', nets.vertices],
+    ['edges_vertices', nets.edges],
+    ['edges_assignment', nets.assignments],
+    // JSON has no NaN: the fold angle of a cut edge becomes null, as the format wants it.
+    ['edges_foldAngle', nets.angles],
+    ['faces_vertices', nets.faces],
+    ['faces_foldwright:source', nets.sources],
+  ];
+}
+
 function motionEntries(piece: Piece): Entries {
   if (!piece.motion) return [];
   const { root, times, angles } = piece.motion;
@@ -51,17 +128,7 @@ function motionEntries(piece: Piece): Entries {
 
 function pieceFrame(piece: Piece): Entries {
   return [
-    ['frame_title', `Piece ${piece.name}`],
-    ['frame_classes', ['creasePattern']],
-    ['frame_attributes', ['2D']],
-    ['frame_unit', 'mm'],
-    ['vertices_coords', rows(piece.vertices, 2)],
-    ['edges_vertices', rows(piece.edges, 2)],
-    ['edges_assignment', [...piece.assignments]],
-    // JSON has no NaN: the fold angle of a cut edge becomes null, as the format wants it.
-    ['edges_foldAngle', Array.from(piece.foldAngles)],
-    ['faces_vertices', rows(piece.faces, 3)],
-    ['faces_foldwright:source', Array.from(piece.sources)],
+    ...patternFrame(`Piece ${piece.name}`, netOf(piece)),
     ['foldwright:piece', piece.id],
     ['foldwright:part', piece.part],
     ...motionEntries(piece),
@@ -74,18 +141,21 @@ function lines(entries: Entries, indent: string): string[] {
 }
 
 /**
- * The folded model and the crease pattern of every piece as a FOLD 1.2 file: mm, full double
- * precision in shortest form, keys in a fixed order. Frames inherit nothing from each other.
+ * A result as a FOLD 1.2 file: mm, full double precision in shortest form, keys in a fixed order.
+ *
+ * The key frame is what other programs read, often alone: the crease pattern of all pieces, laid out
+ * as on the sheets. The frames after it, which inherit nothing, are the folded model and then every
+ * piece by itself, with its motion; `faces_foldwright:source` counts the faces of the folded model.
  */
 export function writeFold(result: JobResult): string {
   const head: Entries = [
     ['file_spec', 1.2],
     ['file_creator', 'Foldwright'],
     ['file_classes', ['singleModel']],
-    ...modelFrame(result.model),
+    ...patternFrame('All pieces', layOut(result)),
   ];
-  const frames = result.pieces.map(
-    (piece) => `    {\n${lines(pieceFrame(piece), '      ').join(',\n')}\n    }`,
+  const frames = [modelFrame(result.model), ...result.pieces.map(pieceFrame)].map(
+    (frame) => `    {\n${lines(frame, '      ').join(',\n')}\n    }`,
   );
   const fileFrames = `  "file_frames": [\n${frames.join(',\n')}\n  ]`;
   return `{\n${[...lines(head, '  '), fileFrames].join(',\n')}\n}\n`;

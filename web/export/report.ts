@@ -1,12 +1,5 @@
-import type {
-  FlapCounts,
-  JobOptions,
-  JobResult,
-  Model,
-  Notice,
-  Piece,
-  Repair,
-} from '../model/job.js';
+import { extentsOf } from '../model/bounds.js';
+import type { FlapCounts, JobOptions, JobResult, Notice, Piece, Repair } from '../model/job.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** What a report is made of. */
@@ -77,17 +70,6 @@ function pieceReport(piece: Piece): PieceReport {
   };
 }
 
-/** Extents of the model along x, y and z. */
-function sizeOf({ vertices }: Model): number[] {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  vertices.forEach((value, i) => {
-    low[i % 3] = Math.min(low[i % 3]!, value);
-    high[i % 3] = Math.max(high[i % 3]!, value);
-  });
-  return high.map((value, axis) => value - low[axis]!);
-}
-
 /** The report of a run. */
 export function makeReport(input: ReportInput): Report {
   const { job, result } = input;
@@ -107,7 +89,7 @@ export function makeReport(input: ReportInput): Report {
     parts: result.parts,
     pieces: result.pieces.map(pieceReport),
     segmentation: Array.from(result.segmentation),
-    size_mm: sizeOf(model),
+    size_mm: [...extentsOf(model.vertices)],
     sheets: result.sheets.length,
     efficiency: result.efficiency,
     flaps: result.flaps,

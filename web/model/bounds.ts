@@ -24,6 +24,12 @@ export function boxOf(...arrays: ArrayLike<number>[]): Box3 {
   return { low, high };
 }
 
+/** How far points reach along x, y and z, of an array of 3 numbers per point; at least one point. */
+export function extentsOf(points: ArrayLike<number>): Vector {
+  const { low, high } = boxOf(points);
+  return minus(high, low);
+}
+
 /** A ball around all points, from the middle of their box. */
 export function ballOf(points: ArrayLike<number>): Ball {
   const { low, high } = boxOf(points);

@@ -13,6 +13,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   proxy: 1000,
   seed: 1,
   faces: 0,
+  up: 'guess',
   sizing: 'fit',
   size: 0,
   unit: 'guess',

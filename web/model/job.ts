@@ -9,7 +9,9 @@ export type Solver = 'tree' | 'genetic';
 export type FoldingMode = 'require' | 'prefer' | 'off';
 export type Orientation = 'auto' | 'portrait' | 'landscape';
 /** What decides the finished size; 'fit': the largest piece just fits the sheet. */
-export type Sizing = 'fit' | 'height' | 'width' | 'scale' | 'sheets';
+export type Sizing = 'fit' | 'height' | 'width' | 'depth' | 'scale' | 'sheets';
+/** The axis of the file that points up; the model is turned so that it becomes y. */
+export type Up = 'guess' | 'x' | 'y' | 'z';
 export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
 /** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
 export type IdPlace = 'none' | 'inside' | 'flap' | 'both';
@@ -63,8 +65,13 @@ export interface JobOptions {
   seed: number;
   /** Simplify to this many triangles first; 0: keep all. */
   faces: number;
+  /** 'guess': from the file's format. */
+  up: Up;
   sizing: Sizing;
-  /** Height (along y) or width (along x) in mm, a factor, or a number of sheets; not read by 'fit'. */
+  /**
+   * Height (along y), width (along x) or depth (along z) in mm, once y is up; a factor, or a number of
+   * sheets; not read by 'fit'.
+   */
   size: number;
   /** Unit of the model, for the factor. */
   unit: Unit;
@@ -103,7 +110,7 @@ export interface Notice {
   text: string;
 }
 
-/** The repaired model at its finished size. */
+/** The repaired model at its finished size; y is up. */
 export interface Model {
   /** 3 per vertex. */
   vertices: Float64Array;

@@ -1,0 +1,31 @@
+/** Options that were given and that nothing reads, because of what others say. */
+import type { Settings } from './options.js';
+
+interface Need {
+  /** What the option is about, in the words of the command line. */
+  without: string;
+  /** Whether something reads it. */
+  isMet: (settings: Settings) => boolean;
+}
+
+const needsScale: Need = { without: "'--scale'", isMet: ({ scale }) => scale !== 'none' };
+const needsFlaps: Need = {
+  without: 'flaps',
+  isMet: (all) => all.flaps !== 'none' || all['flap-borders'] === 'on',
+};
+const needsFolding: Need = { without: 'folding', isMet: ({ folding }) => folding !== 'off' };
+
+const needs: Partial<Record<keyof Settings, Need>> = {
+  unit: needsScale,
+  'flap-angle': needsFlaps,
+  'flap-side': needsFlaps,
+  'flap-colour': needsFlaps,
+  clearance: needsFolding,
+};
+
+/** One phrase for each of the given options that changes nothing; none if all do. */
+export function idleOptions(given: ReadonlySet<string>, settings: Settings): string[] {
+  return Object.entries(needs)
+    .filter(([name, { isMet }]) => given.has(name) && !isMet(settings))
+    .map(([name, { without }]) => `option '--${name}' changes nothing without ${without}`);
+}
