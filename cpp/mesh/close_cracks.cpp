@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,14 +31,11 @@ std::vector<double> reaches_of(const TriangleSoup& soup, double widest) {
   return shortest;
 }
 
-/// Two border edges that face each other: `ends[i]` of the second meets the i-th end of the first.
+/// Two border vertices that face each other across a crack.
 struct Facing {
-  double distance;  ///< between the ends further apart
-  int half_edge;
+  double distance;
+  int vertex;
   int other;
-  std::array<int, 2> ends;
-
-  auto key() const { return std::tie(distance, half_edge, other, ends); }
 };
 
 /// Whether the faces at two border edges that are to be joined would lie on each other.
@@ -67,23 +63,18 @@ class CrackFinder {
         points_(points_of(soup, vertices_)),
         query_(points_) {
     for (const int h : border_) {
-      border_at_[{start_vertex(soup, h), end_vertex(soup, h)}] = h;
-      border_at_[{end_vertex(soup, h), start_vertex(soup, h)}] = h;
+      borders_at_[start_vertex(soup, h)].push_back(h);
+      borders_at_[end_vertex(soup, h)].push_back(h);
     }
   }
 
-  /// Pairs of border edges to be joined, each edge in one at most; the nearest go first.
+  /// Pairs of vertices to be joined.
   std::vector<Facing> find() const {
-    std::vector<Facing> candidates;
-    for (const int h : border_) add_candidates(h, candidates);
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Facing& a, const Facing& b) { return a.key() < b.key(); });
-    std::vector<char> taken(3 * soup_.faces.size(), false);
     std::vector<Facing> found;
-    for (const Facing& facing : candidates) {
-      if (taken[facing.half_edge] || taken[facing.other]) continue;
-      taken[facing.half_edge] = taken[facing.other] = true;
-      found.push_back(facing);
+    for (const int v : vertices_) {
+      for (const int w : across(v)) {
+        if (v < w && face_each_other(v, w)) found.push_back({distance(v, w), v, w});
+      }
     }
     return found;
   }
@@ -95,7 +86,7 @@ class CrackFinder {
   std::vector<int> vertices_;
   std::vector<Vec3> points_;
   SegmentQuery query_;
-  std::map<std::pair<int, int>, int> border_at_;  // by its ends, in both directions
+  std::map<int, std::vector<int>> borders_at_;  // border half-edges at a vertex
 
   static std::vector<Vec3> points_of(const TriangleSoup& soup, const std::vector<int>& vertices) {
     std::vector<Vec3> points;
@@ -105,7 +96,7 @@ class CrackFinder {
 
   double distance(int v, int w) const { return (soup_.positions[v] - soup_.positions[w]).norm(); }
 
-  /// Border vertices across a crack from one, and itself.
+  /// Border vertices across a crack from one.
   std::vector<int> across(int vertex) const {
     const Vec3& p = soup_.positions[vertex];
     std::vector<int> found;
@@ -115,17 +106,29 @@ class CrackFinder {
     return found;
   }
 
-  void add_candidates(int h, std::vector<Facing>& candidates) const {
-    const std::array<int, 2> ends = {start_vertex(soup_, h), end_vertex(soup_, h)};
-    for (const int v : across(ends[0])) {
-      for (const int w : across(ends[1])) {
-        const auto entry = border_at_.find({v, w});
-        if (entry == border_at_.end() || entry->second <= h) continue;
-        if (lie_on_each_other(soup_, h, entry->second)) continue;
-        const double apart = std::max(distance(ends[0], v), distance(ends[1], w));
-        candidates.push_back({apart, h, entry->second, {v, w}});
+  /// Whether a border edge at one vertex runs along one at the other, on the other side of a crack.
+  bool face_each_other(int v, int w) const {
+    for (const int h : borders_at_.at(v)) {
+      for (const int k : borders_at_.at(w)) {
+        if (h != k && run_along(h, v, k, w) && !lie_on_each_other(soup_, h, k)) return true;
       }
     }
+    return false;
+  }
+
+  /// Whether the shorter of two edges from `v` and from `w` ends at the other one.
+  bool run_along(int h, int v, int k, int w) const {
+    const int far_v = start_vertex(soup_, h) == v ? end_vertex(soup_, h) : start_vertex(soup_, h);
+    const int far_w = start_vertex(soup_, k) == w ? end_vertex(soup_, k) : start_vertex(soup_, k);
+    return is_at_edge(far_v, w, far_w) || is_at_edge(far_w, v, far_v);
+  }
+
+  bool is_at_edge(int vertex, int start, int end) const {
+    const Vec3& a = soup_.positions[start];
+    const Vec3 along = soup_.positions[end] - a;
+    const Vec3 to_vertex = soup_.positions[vertex] - a;
+    const double share = std::clamp(along.dot(to_vertex) / along.squaredNorm(), 0.0, 1.0);
+    return (to_vertex - share * along).norm() <= std::min(reaches_[vertex], reaches_[start]);
   }
 };
 
@@ -133,8 +136,7 @@ class CrackFinder {
 void join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
   UnionFind joined(static_cast<int>(soup.positions.size()));
   for (const Facing& crack : cracks) {
-    joined.join(start_vertex(soup, crack.half_edge), crack.ends[0]);
-    joined.join(end_vertex(soup, crack.half_edge), crack.ends[1]);
+    joined.join(crack.vertex, crack.other);
   }
   std::map<int, std::vector<int>> groups;  // by their lowest vertex
   for (int v = 0; v < static_cast<int>(soup.positions.size()); ++v) {
@@ -158,13 +160,16 @@ void join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
 }  // namespace
 
 ClosedCracks close_cracks(TriangleSoup& soup, double widest) {
+  const auto borders = [&] { return static_cast<int>(border_half_edges(soup).size()); };
+  const int before = borders();
+  if (before == 0) return {};
   ClosedCracks closed;
   const std::vector<Facing> cracks = CrackFinder(soup, widest).find();
   for (const Facing& crack : cracks) closed.width = std::max(closed.width, crack.distance);
-  closed.edges = 2 * static_cast<int>(cracks.size());
   join_vertices(soup, cracks);
-  const ClosedCracks cut = close_t_junctions(soup, reaches_of(soup, widest));
-  return {closed.edges + cut.edges, std::max(closed.width, cut.width)};
+  closed.width = std::max(closed.width, close_t_junctions(soup, reaches_of(soup, widest)).width);
+  closed.edges = std::max(0, before - borders());
+  return closed;
 }
 
 }  // namespace foldwright

@@ -8,10 +8,10 @@ namespace foldwright {
 /// Joins borders that face each other across cracks up to `widest`, and never wider than a tenth of
 /// the shortest edge at the vertices on either side.
 ///
-/// Border edges whose both ends are that near to those of another one are joined with the nearest:
-/// their ends move to the middle. Then border vertices are put on border edges across cracks. Only
-/// borders are touched, and not where the two faces lie on each other, as the edges of sheets in
-/// layers do. n log n. \pre no edge of a face is shorter than the welding left it
+/// Border vertices that near to each other are joined in the middle, where border edges at them run
+/// along each other. Then border vertices are put on border edges across cracks. Only borders are
+/// touched, and not where the two faces lie on each other, as the edges of sheets in layers do.
+/// Returns how many edges lie on a border no longer. n log n.
 ClosedCracks close_cracks(TriangleSoup& soup, double widest);
 
 }  // namespace foldwright

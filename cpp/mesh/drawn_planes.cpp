@@ -94,15 +94,26 @@ class GrowingPlane {
         seed.faces.begin(), seed.faces.end(), [&](int f, int g) { return area(f) < area(g); })];
   }
 
-  /// Whether a tile beside the group lies in the plane. `fold`: angle at the edge between them.
-  bool holds(const Tile& tile, double fold) const {
+  /// Whether a tile beside the group lies in the plane whatever the precision. `fold`: angle at the
+  /// edge between them.
+  bool plainly_holds(const Tile& tile, double fold) const {
+    return fold < kPanelAngle && angle_between(fit_.normal, tile.fit.normal) <= kPanelDrift;
+  }
+
+  /// Whether it may lie in the plane as far as its tilt tells.
+  bool may_hold(const Tile& tile) const {
     const double tilt = angle_between(fit_.normal, tile.fit.normal);
-    if (fold < kPanelAngle && tilt <= kPanelDrift) return true;
-    if (tilt > std::numbers::pi / 3) return false;  // would come to lie with its back up
-    if (tilt > kGentleCrease && !is_needle(tile)) return false;
-    return std::all_of(tile.faces.begin(), tile.faces.end(), [&](int face) {
-      return std::ranges::all_of(soup_.faces[face], [&](int v) { return explains(v); });
-    });
+    // Beyond the right angle it would come to lie with its back up.
+    return tilt <= kGentleCrease || (tilt <= std::numbers::pi / 3 && is_needle(tile));
+  }
+
+  /// How far the corners of a tile are off the plane, in shares of what errors explain.
+  double off(const Tile& tile) const {
+    double most = 0;
+    for (const int face : tile.faces) {
+      for (const int v : soup_.faces[face]) most = std::max(most, off(v));
+    }
+    return most;
   }
 
  private:
@@ -110,8 +121,7 @@ class GrowingPlane {
   PlanarFit fit_;
   std::array<int, 3> corners_;
 
-  /// Whether a vertex is as near to the plane as its error and those of the plane's corners tell.
-  bool explains(int vertex) const {
+  double off(int vertex) const {
     const Vec3& a = soup_.positions[corners_[0]];
     const Vec3 ab = soup_.positions[corners_[1]] - a;
     const Vec3 ac = soup_.positions[corners_[2]] - a;
@@ -124,7 +134,8 @@ class GrowingPlane {
                          std::abs(to_b) * soup_.error(corners_[1]) +
                          std::abs(to_c) * soup_.error(corners_[2]);
     const double height = std::abs(fit_.normal.dot(soup_.positions[vertex] - fit_.centre));
-    return height <= kRoot3 * error + fit_.deviation;
+    constexpr double kRounding = 1e-15;  // of the height itself, the model being about 1 across
+    return height / (kRoot3 * error + fit_.deviation + kRounding);
   }
 
   /// Whether errors may have turned a triangle by any angle.
@@ -163,16 +174,52 @@ std::vector<std::vector<Neighbour>> neighbours_of(const TriangleSoup& soup,
   return neighbours;
 }
 
+/// What kinds of flat edges stand out from the somewhat sharper ones. On a rounded shape creases of
+/// all angles occur, and some are slight by chance: those stay creases.
+struct Evidence {
+  bool of_errors = false;  ///< those that errors explain
+  bool of_planes = false;  ///< all flat ones
+};
+
+Evidence find_evidence(const TriangleSoup& soup, std::span<const Tile> tiles,
+                       std::span<const std::vector<Neighbour>> neighbours) {
+  // Spread evenly, creases up to ten times as sharp as errors explain are nine times as many.
+  constexpr double kSharper = 10;
+  int flat = 0;
+  int explained = 0;
+  int sharper = 0;
+  for (int t = 0; t < static_cast<int>(tiles.size()); ++t) {
+    const GrowingPlane plane(soup, tiles[t]);
+    for (const auto& [next, fold] : neighbours[t]) {
+      const bool is_larger = std::pair(tiles[t].fit.area, next) > std::pair(tiles[next].fit.area, t);
+      if (!is_larger) continue;
+      const double off = plane.off(tiles[next]);
+      if (plane.plainly_holds(tiles[next], fold)) {
+        ++flat;
+      } else if (off <= 1) {
+        explained += plane.may_hold(tiles[next]);
+      } else {
+        sharper += off <= kSharper;
+      }
+    }
+  }
+  return {explained > sharper, flat + explained > sharper};
+}
+
 /// Tiles of the plane that grows from `seed`; they are taken.
 std::vector<int> grow(const TriangleSoup& soup, std::span<const Tile> tiles,
                       std::span<const std::vector<Neighbour>> neighbours, int seed,
-                      std::vector<char>& taken) {
+                      bool trusts_errors, std::vector<char>& taken) {
   const GrowingPlane plane(soup, tiles[seed]);
+  const auto holds = [&](const Tile& tile, double fold) {
+    return plane.plainly_holds(tile, fold) ||
+           (trusts_errors && plane.may_hold(tile) && plane.off(tile) <= 1);
+  };
   std::vector<int> group = {seed};
   taken[seed] = true;
   for (std::size_t head = 0; head < group.size(); ++head) {
     for (const auto& [next, fold] : neighbours[group[head]]) {
-      if (taken[next] || !plane.holds(tiles[next], fold)) continue;
+      if (taken[next] || !holds(tiles[next], fold)) continue;
       taken[next] = true;
       group.push_back(next);
     }
@@ -186,6 +233,7 @@ DrawnPlanes find_drawn_planes(const TriangleSoup& soup) {
   const EdgeGroups groups = group_half_edges(soup);
   const std::vector<Tile> tiles = make_tiles(soup, groups);
   const std::vector<std::vector<Neighbour>> neighbours = neighbours_of(soup, groups, tiles);
+  const Evidence evidence = find_evidence(soup, tiles, neighbours);
   std::vector<int> by_area(tiles.size());
   std::iota(by_area.begin(), by_area.end(), 0);
   std::stable_sort(by_area.begin(), by_area.end(),
@@ -195,10 +243,13 @@ DrawnPlanes find_drawn_planes(const TriangleSoup& soup) {
   for (const int seed : by_area) {
     if (taken[seed]) continue;
     std::vector<int> faces;
-    for (const int tile : grow(soup, tiles, neighbours, seed, taken)) {
+    bool has_polygon = false;
+    for (const int tile : grow(soup, tiles, neighbours, seed, evidence.of_errors, taken)) {
       faces.insert(faces.end(), tiles[tile].faces.begin(), tiles[tile].faces.end());
+      has_polygon = has_polygon || tiles[tile].faces.size() > 1;
     }
-    if (faces.size() == 1) continue;
+    // Triangles of a rounded shape that happen to lie in one plane were not drawn in it.
+    if (faces.size() == 1 || !(has_polygon || evidence.of_planes)) continue;
     std::sort(faces.begin(), faces.end());
     planes.push_back(std::move(faces));
   }

@@ -21,8 +21,8 @@ constexpr double kExact = 1e-9;
 // What is left after a solution, in shares of a plane's extent: far below what tells panels apart.
 constexpr double kSolved = 1e-11;
 
-// Vertices that have to move by so many times what their planes are off lie in planes that
-// contradict each other. Three planes that meet at acute angles need several times.
+// A vertex that has to move by so many times what the planes are off lies in planes that contradict
+// each other. Three planes that meet at acute angles need several times.
 constexpr double kFurthest = 10;
 
 /// A plane to be made flat.
@@ -162,38 +162,62 @@ std::vector<std::vector<Plane>> inexact_clusters(const TriangleSoup& soup,
   return found;
 }
 
-/// How badly a plane has come out: up to 1 as it should, with no vertex far from where it was.
-double failure(const TriangleSoup& soup, const std::vector<Vec3>& before, const Plane& plane) {
-  const PlanarFit fit = fit_plane(soup, plane.faces);
-  if (!fit.upright) return std::numeric_limits<double>::infinity();
-  double moved = 0;
-  for (const int v : plane.vertices) {
-    moved = std::max(moved, (soup.positions[v] - before[v]).norm());
-  }
-  return std::max(fit.deviation / (kExact * fit.extent), moved / (kFurthest * plane.off));
-}
-
-/// Solves a cluster, giving up planes that do not come out; the others are left in it.
-void flatten_cluster(TriangleSoup& soup, const std::vector<Vec3>& before,
-                     std::vector<Plane>& cluster) {
-  // A plane that contradicts its neighbours spoils them too: only the worst go at a time.
-  constexpr double kAsBad = 0.1;
-  constexpr int kMostRounds = 8;  // beyond, the planes contradict each other everywhere
-  for (int round = 0; round < kMostRounds && !cluster.empty(); ++round) {
-    PlaneSystem(soup, cluster).solve();
-    std::vector<double> failures;
-    for (const Plane& plane : cluster) failures.push_back(failure(soup, before, plane));
-    const double worst = *std::max_element(failures.begin(), failures.end());
-    if (worst <= 1) return;
-    std::vector<Plane> kept;
-    for (std::size_t p = 0; p < cluster.size(); ++p) {
-      for (const int v : cluster[p].vertices) soup.positions[v] = before[v];
-      if (failures[p] <= std::max(1.0, kAsBad * worst)) kept.push_back(std::move(cluster[p]));
+/// A cluster of planes that is to be solved without contradictions.
+class ClusterFlattener {
+ public:
+  ClusterFlattener(TriangleSoup& soup, std::vector<Plane> planes)
+      : soup_(soup), planes_(std::move(planes)) {
+    for (const Plane& plane : planes_) {
+      furthest_ = std::max(furthest_, kFurthest * plane.off);
+      for (const int v : plane.vertices) before_.emplace_back(v, soup.positions[v]);
+      if (is_panel(soup, plane.faces)) panels_.push_back(plane.faces);
     }
-    cluster = std::move(kept);
   }
-  cluster.clear();
-}
+
+  /// Solves the planes, giving up those that contradict others: the ones furthest off first, since
+  /// exact ones are meant as they are. Returns those that are flat now; none if nothing was moved.
+  std::vector<Plane> flatten() {
+    constexpr int kMostRounds = 12;  // beyond, the planes contradict each other everywhere
+    for (int round = 0; round < kMostRounds && !planes_.empty(); ++round) {
+      PlaneSystem(soup_, planes_).solve();
+      if (come_out()) return std::move(planes_);
+      go_back();
+      give_up_worst();
+    }
+    return {};
+  }
+
+ private:
+  TriangleSoup& soup_;
+  std::vector<Plane> planes_;
+  double furthest_ = 0;  // that a vertex may move
+  std::vector<std::pair<int, Vec3>> before_;
+  std::vector<std::vector<int>> panels_;  // faces that already were panels, and have to stay so
+
+  void go_back() {
+    for (const auto& [v, position] : before_) soup_.positions[v] = position;
+  }
+
+  bool come_out() const {
+    const bool near = std::all_of(before_.begin(), before_.end(), [&](const auto& place) {
+      return (soup_.positions[place.first] - place.second).norm() <= furthest_;
+    });
+    const bool flat = std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+      const PlanarFit fit = fit_plane(soup_, plane.faces);
+      return fit.upright && fit.deviation <= kExact * fit.extent;
+    });
+    return near && flat && std::all_of(panels_.begin(), panels_.end(), [&](const auto& faces) {
+             return is_panel(soup_, faces);
+           });
+  }
+
+  void give_up_worst() {
+    constexpr double kAsFar = 0.5;
+    double furthest_off = 0;
+    for (const Plane& plane : planes_) furthest_off = std::max(furthest_off, plane.off);
+    std::erase_if(planes_, [&](const Plane& plane) { return plane.off > kAsFar * furthest_off; });
+  }
+};
 
 }  // namespace
 
@@ -204,7 +228,7 @@ Flattening flatten_planes(TriangleSoup& soup, const DrawnPlanes& planes) {
     std::vector<Plane> bent;
     std::copy_if(cluster.begin(), cluster.end(), std::back_inserter(bent),
                  [&](const Plane& plane) { return !is_panel(soup, plane.faces); });
-    flatten_cluster(soup, before, cluster);
+    cluster = ClusterFlattener(soup, std::move(cluster)).flatten();
     for (const Plane& plane : bent) {
       if (!is_panel(soup, plane.faces)) continue;  // given up
       flattening.faces.insert(flattening.faces.end(), plane.faces.begin(), plane.faces.end());
