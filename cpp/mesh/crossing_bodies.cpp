@@ -1,6 +1,7 @@
 #include "mesh/crossing_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace {
 
 constexpr int kMostFaces = 200'000;
 
-// Faces that go into each other by less than this share of the model's extent touch: vertices that
-// were welded or put on planes are that far from where they were.
-constexpr double kDepth = 1e-5;
+// Faces that go into each other by less than this share of the model's extent touch: a tenth of a
+// millimetre on ten centimetres is less than paper is thick.
+constexpr double kDepth = 1e-3;
+
+// Small faces touch when it is less than this share of their size.
+constexpr double kShareOfFace = 0.1;
 
 Triangle3 corners_of(const Mesh& mesh, int face) {
   const auto& [a, b, c] = mesh.faces[face];
@@ -33,6 +37,13 @@ double extent_of(const Mesh& mesh) {
   return box.diagonal().norm();
 }
 
+bool faces_cross(const Triangle3& a, const Triangle3& b, double depth) {
+  const auto size = [](const Triangle3& t) {
+    return std::sqrt((t[1] - t[0]).cross(t[2] - t[0]).norm());
+  };
+  return triangles_cross(a, b, std::min(depth, kShareOfFace * std::min(size(a), size(b))));
+}
+
 }  // namespace
 
 Crossings find_crossings(const Mesh& mesh) {
@@ -48,7 +59,7 @@ Crossings find_crossings(const Mesh& mesh) {
   for (const auto& [f, g] : meeting_boxes(boxes)) {
     const std::pair<int, int> bodies = std::minmax(mesh.components[f], mesh.components[g]);
     if (shared_corners(mesh, f, g) > 0) continue;
-    if (triangles_cross(corners_of(mesh, f), corners_of(mesh, g), depth)) found.push_back(bodies);
+    if (faces_cross(corners_of(mesh, f), corners_of(mesh, g), depth)) found.push_back(bodies);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

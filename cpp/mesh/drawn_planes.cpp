@@ -44,8 +44,8 @@ double largest_error(const TriangleSoup& soup, std::span<const int> faces) {
   return largest;
 }
 
-/// How far the corners of a polygon may lie off a plane fitted to all of them: their own errors, and
-/// about as much for the plane's.
+/// How far the corners of a polygon may lie off a plane fitted to all of them: their own errors,
+/// and about as much for the plane's.
 double fit_error(const TriangleSoup& soup, std::span<const int> faces) {
   return 2 * kRoot3 * largest_error(soup, faces);
 }
@@ -90,8 +90,8 @@ class GrowingPlane {
  public:
   GrowingPlane(const TriangleSoup& soup, const Tile& seed) : soup_(soup), fit_(seed.fit) {
     const auto area = [&](int f) { return area_vector(soup, f).squaredNorm(); };
-    corners_ = soup.faces[*std::max_element(
-        seed.faces.begin(), seed.faces.end(), [&](int f, int g) { return area(f) < area(g); })];
+    corners_ = soup.faces[*std::max_element(seed.faces.begin(), seed.faces.end(),
+                                            [&](int f, int g) { return area(f) < area(g); })];
   }
 
   /// Whether a tile beside the group lies in the plane whatever the precision. `fold`: angle at the
@@ -130,9 +130,9 @@ class GrowingPlane {
     const double area = normal.squaredNorm();
     const double to_b = normal.dot(ap.cross(ac)) / area;  // barycentric coordinates
     const double to_c = normal.dot(ab.cross(ap)) / area;
-    const double error = soup_.error(vertex) + std::abs(1 - to_b - to_c) * soup_.error(corners_[0]) +
-                         std::abs(to_b) * soup_.error(corners_[1]) +
-                         std::abs(to_c) * soup_.error(corners_[2]);
+    const double error =
+        soup_.error(vertex) + std::abs(1 - to_b - to_c) * soup_.error(corners_[0]) +
+        std::abs(to_b) * soup_.error(corners_[1]) + std::abs(to_c) * soup_.error(corners_[2]);
     const double height = std::abs(fit_.normal.dot(soup_.positions[vertex] - fit_.centre));
     constexpr double kRounding = 1e-15;  // of the height itself, the model being about 1 across
     return height / (kRoot3 * error + fit_.deviation + kRounding);
@@ -141,8 +141,7 @@ class GrowingPlane {
   /// Whether errors may have turned a triangle by any angle.
   bool is_needle(const Tile& tile) const {
     return tile.faces.size() == 1 &&
-           2 * tile.fit.area <=
-               tile.fit.extent * 2 * kRoot3 * largest_error(soup_, tile.faces);
+           2 * tile.fit.area <= tile.fit.extent * 2 * kRoot3 * largest_error(soup_, tile.faces);
   }
 };
 
@@ -191,7 +190,8 @@ Evidence find_evidence(const TriangleSoup& soup, std::span<const Tile> tiles,
   for (int t = 0; t < static_cast<int>(tiles.size()); ++t) {
     const GrowingPlane plane(soup, tiles[t]);
     for (const auto& [next, fold] : neighbours[t]) {
-      const bool is_larger = std::pair(tiles[t].fit.area, next) > std::pair(tiles[next].fit.area, t);
+      const bool is_larger =
+          std::pair(tiles[t].fit.area, next) > std::pair(tiles[next].fit.area, t);
       if (!is_larger) continue;
       const double off = plane.off(tiles[next]);
       if (plane.plainly_holds(tiles[next], fold)) {

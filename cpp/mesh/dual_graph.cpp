@@ -12,8 +12,8 @@
 namespace foldwright {
 namespace {
 
-// Corners as near to a panel's plane as this, in mean edges, are in it: their lengths change by half
-// the square of it.
+// Corners as near to a panel's plane as this, in mean edges, are in it: their lengths change by
+// half the square of it.
 constexpr double kInPlane = 1e-9;
 
 Vec3 unit_normal(const Mesh& mesh, int face) {

@@ -123,12 +123,16 @@ class PlaneSystem {
   }
 };
 
-/// Whether a plane's faces make one panel by their angles.
+/// Whether a plane's faces make one panel by their angles with the largest of them.
 bool is_panel(const TriangleSoup& soup, std::span<const int> faces) {
-  const PlanarFit fit = fit_plane(soup, faces);
+  Vec3 largest = Vec3::Zero();
+  for (const int face : faces) {
+    const Vec3 normal = area_vector(soup, face);
+    if (normal.squaredNorm() > largest.squaredNorm()) largest = normal;
+  }
   return std::all_of(faces.begin(), faces.end(), [&](int face) {
     const Vec3 normal = area_vector(soup, face);
-    return std::atan2(normal.cross(fit.normal).norm(), normal.dot(fit.normal)) < 0.5 * kPanelAngle;
+    return std::atan2(normal.cross(largest).norm(), normal.dot(largest)) < kPanelAngle;
   });
 }
 

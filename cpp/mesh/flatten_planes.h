@@ -11,7 +11,8 @@ struct Flattening {
   double distance = 0;     ///< how far the vertex that moved furthest did
 };
 
-/// Moves vertices as little as it takes for the faces of each plane to lie in it to the last digits.
+/// Moves vertices as little as it takes for the faces of each plane to lie in it to the last
+/// digits.
 ///
 /// All planes of a surface that share vertices are solved together, since a vertex mostly lies in
 /// several: proximal Gauss-Newton over the vertices and the planes, a few sparse factorizations.

@@ -154,8 +154,8 @@ int join_nonmanifold_edges(const TriangleSoup& soup, const EdgeGroups& groups,
   for (int g = 0; g < groups.count(); ++g) {
     const std::span<const int> group = groups.group(g);
     if (group.size() <= 2) continue;
-    const bool is_inside_polygons = std::all_of(
-        group.begin(), group.end(), [&](int h) { return partners[h] != -1; });
+    const bool is_inside_polygons =
+        std::all_of(group.begin(), group.end(), [&](int h) { return partners[h] != -1; });
     if (is_inside_polygons) continue;
     ++count;
     const std::vector<Spoke> spokes = sorted_spokes(soup, group);

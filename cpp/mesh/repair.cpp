@@ -271,15 +271,14 @@ void report_shape(RepairedModel& model, const RepairOptions& options) {
          "on the border of an open surface; gaps wider than " + written(options.widest_crack) +
              " of the model's size, or wide against the edges beside them, are left open");
   const Crossings crossings = find_crossings(model.mesh);
-  report(model, "crossing-bodies", crossings.pairs, "pair of bodies runs",
-         "pairs of bodies run",
+  report(model, "crossing-bodies", crossings.pairs, "pair of bodies runs", "pairs of bodies run",
          "through each other: their pieces would collide when assembled; unite them in the "
          "modelling program");
   report(model, "self-crossing-bodies", crossings.bodies, "body runs", "bodies run",
          "through itself: its pieces would collide when assembled; mend it in the modelling "
          "program");
-  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count(),
-         "face is", "faces are", "too many to look whether bodies run through each other");
+  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count(), "face is",
+         "faces are", "too many to look whether bodies run through each other");
 }
 
 }  // namespace

@@ -29,10 +29,9 @@ struct RepairedModel {
 /// given from both sides made one skin, T-junctions and cracks closed, winding made consistent and
 /// outward per component, non-manifold edges and vertices split, non-orientable surfaces cut open.
 /// What was drawn flat is made flat as far as the file's precision explains that it is not
-/// (`find_drawn_planes`). Bodies that run through each other are told of, and stay as they are. Each
-/// component of an open surface keeps the winding that the majority of its area has in the file.
-/// The bounding box is centred at the origin.
-/// \throw InputError when no usable face is left
+/// (`find_drawn_planes`). Bodies that run through each other are told of, and stay as they are.
+/// Each component of an open surface keeps the winding that the majority of its area has in the
+/// file. The bounding box is centred at the origin. \throw InputError when no usable face is left
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 }  // namespace foldwright

@@ -18,8 +18,7 @@ double distance_to_line(const TriangleSoup& soup, int half_edge, int vertex) {
 
 /// Vertices from the start to the end of a border edge, with all border vertices on it between.
 std::vector<int> chain_along(const TriangleSoup& soup, int half_edge, const SegmentQuery& query,
-                             const std::vector<int>& vertices,
-                             std::span<const double> tolerances) {
+                             const std::vector<int>& vertices, std::span<const double> tolerances) {
   const int start = start_vertex(soup, half_edge);
   const int end = end_vertex(soup, half_edge);
   const int apex = end_vertex(soup, next_half_edge(half_edge));  // of a face that is nearly flat

@@ -183,7 +183,8 @@ double slenderness(std::span<const Vec2> points, const Triangle& t) {
   for (int i = 0; i < 3; ++i) {
     longest = std::max(longest, (points[t[(i + 1) % 3]] - points[t[i]]).squaredNorm());
   }
-  return longest > 0 ? cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / longest : 0;
+  return longest > 0 ? cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / longest
+                     : 0;
 }
 
 /// The triangle turned so that its longest edge comes first.
@@ -197,9 +198,9 @@ Triangle from_longest_edge(std::span<const Vec2> points, Triangle t) {
   return t;
 }
 
-/// Clipping ears leaves needles between corners in line, whose rounding may even turn them over: they
-/// give their longest edge for the other diagonal of the two triangles beside it, where that leaves
-/// the slenderer of the two broader.
+/// Clipping ears leaves needles between corners in line, whose rounding may even turn them over:
+/// they give their longest edge for the other diagonal of the two triangles beside it, where that
+/// leaves the slenderer of the two broader.
 class NeedleFlipper {
  public:
   NeedleFlipper(std::span<const Vec2> points, std::vector<Triangle>& triangles)
@@ -240,8 +241,8 @@ class NeedleFlipper {
     const int d = t[0] != a && t[0] != b ? t[0] : t[1] != a && t[1] != b ? t[1] : t[2];
     const Triangle first = {c, a, d};
     const Triangle second = {d, b, c};
-    const double before = std::min(slenderness(points_, triangles_[needle]),
-                                   slenderness(points_, triangles_[other]));
+    const double before =
+        std::min(slenderness(points_, triangles_[needle]), slenderness(points_, triangles_[other]));
     const double after = std::min(slenderness(points_, first), slenderness(points_, second));
     if (after <= before) return false;
     beside_.erase({a, b});

@@ -47,8 +47,8 @@ Solid shuffled(Solid solid, std::uint64_t seed) {
     std::swap(solid.polygons[i], solid.polygons[random.below(i + 1)]);
   }
   for (std::vector<int>& polygon : solid.polygons) {
-    std::rotate(polygon.begin(),
-                polygon.begin() + random.below(static_cast<int>(polygon.size())), polygon.end());
+    std::rotate(polygon.begin(), polygon.begin() + random.below(static_cast<int>(polygon.size())),
+                polygon.end());
   }
   return solid;
 }
@@ -107,9 +107,9 @@ TEST(DrawnSolids, StayWhenTurnedAndRounded) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       for (int decimals = 2; decimals <= 12; decimals += 2) {
         const Solid turned = moved(solid, 1, any_turn(seed), Vec3::Zero());
-        expect_drawn(rounded(turned, decimals), 0.5 * std::pow(10.0, -decimals), 1,
-                     "turn " + std::to_string(seed) + ", " + std::to_string(decimals) +
-                         " decimals");
+        expect_drawn(
+            rounded(turned, decimals), 0.5 * std::pow(10.0, -decimals), 1,
+            "turn " + std::to_string(seed) + ", " + std::to_string(decimals) + " decimals");
       }
     }
   }
@@ -156,10 +156,9 @@ TEST(DrawnSolids, StayWhenTriangulatedEitherWay) {
     for (const int from : {0, 1}) {
       if (solid.name == "L" && from == 1) continue;  // a fan from there leaves the L
       for (const int decimals : {3, 5, 7, 12}) {
-        expect_drawn(triangulated(rounded(solid, decimals), from),
-                     0.5 * std::pow(10.0, -decimals), 1,
-                     "from corner " + std::to_string(from) + ", " + std::to_string(decimals) +
-                         " decimals");
+        expect_drawn(
+            triangulated(rounded(solid, decimals), from), 0.5 * std::pow(10.0, -decimals), 1,
+            "from corner " + std::to_string(from) + ", " + std::to_string(decimals) + " decimals");
       }
     }
   }

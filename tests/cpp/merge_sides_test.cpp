@@ -34,11 +34,11 @@ TEST(MergeSides, LeavesATetrahedronHoweverThin) {
 
 TEST(MergeSides, LeavesAWallBetweenRooms) {
   // Two tetrahedra on either side of the triangle 0 1 2, which both have.
-  TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}},
-                    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 2}, {1, 0, 4}, {2, 1, 4},
-                     {0, 2, 4}},
-                    {0, 1, 2, 3, 4, 5, 6, 7},
-                    {}};
+  TriangleSoup soup{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}},
+      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 2}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}},
+      {0, 1, 2, 3, 4, 5, 6, 7},
+      {}};
   merge_sides(soup, kTolerance);
   EXPECT_EQ(soup.face_count(), 8);
 }

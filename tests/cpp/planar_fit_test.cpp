@@ -17,9 +17,10 @@ TEST(PlanarFit, MeasuresHowFarFacesAreFromFlat) {
 }
 
 TEST(PlanarFit, SeesFacesWithTheirBackUp) {
-  const TriangleSoup soup{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.9, 0.5, 0}}, {{0, 1, 2}, {1, 2, 3}, {2, 1, 3}}, {0, 0, 0},
-      {}};
+  const TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.9, 0.5, 0}},
+                          {{0, 1, 2}, {1, 2, 3}, {2, 1, 3}},
+                          {0, 0, 0},
+                          {}};
   EXPECT_TRUE(fit_plane(soup, std::vector<int>{0, 1}).upright);
   EXPECT_FALSE(fit_plane(soup, std::vector<int>{0, 2}).upright);
 }

@@ -133,9 +133,9 @@ TEST(Repair, MakesOneSkinOfASheetGivenFromBothSides) {
 
 TEST(Repair, MakesOneSkinOfPolygonsGivenFromBothSides) {
   // Two panels of a tent, each from the front and from the back.
-  const RepairedModel model = sound_repair(
-      soup({{0, 0, 0}, {6, 0, 0}, {6, 3, 2.5}, {0, 3, 2.5}, {6, 0, 5}, {0, 0, 5}},
-           {{0, 1, 2, 3}, {3, 2, 4, 5}, {3, 2, 1, 0}, {5, 4, 2, 3}}));
+  const RepairedModel model =
+      sound_repair(soup({{0, 0, 0}, {6, 0, 0}, {6, 3, 2.5}, {0, 3, 2.5}, {6, 0, 5}, {0, 0, 5}},
+                        {{0, 1, 2, 3}, {3, 2, 4, 5}, {3, 2, 1, 0}, {5, 4, 2, 3}}));
   EXPECT_EQ(count_of(model, "merged-two-sided"), 2);
   EXPECT_EQ(count_of(model, "split-nonmanifold-edges"), 0);
   EXPECT_EQ(model.mesh.face_count(), 4);
@@ -144,7 +144,7 @@ TEST(Repair, MakesOneSkinOfPolygonsGivenFromBothSides) {
 
 TEST(Repair, KeepsCrossingSheetsFlat) {
   // Two kites that cross along a diagonal of both, as quads and as triangles.
-  const std::vector<Vec3> corners = {{0, 0, 0},   {15, 10, 0}, {0, 20, 0},
+  const std::vector<Vec3> corners = {{0, 0, 0},    {15, 10, 0}, {0, 20, 0},
                                      {-15, 10, 0}, {0, 10, 15}, {0, 10, -15}};
   for (const auto& polygons : {std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 4, 2, 5}},
                                {{0, 1, 2}, {0, 2, 3}, {0, 4, 2}, {0, 2, 5}},

@@ -135,11 +135,8 @@ Solid voxels(std::string name, const std::set<std::array<int, 3>>& cubes, int pa
 }  // namespace
 
 std::vector<Solid> drawn_solids() {
-  return {prism("cube", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
-          dodecahedron(),
-          prism("L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}),
-          tube(16),
-          quad_torus(8, 6),
+  return {prism("cube", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}), dodecahedron(),
+          prism("L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), tube(16), quad_torus(8, 6),
           tent(),
           // A body of three cubes with two arms, one cube each: a cross lying down.
           voxels("cross", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}}, 14)};
