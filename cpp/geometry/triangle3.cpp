@@ -88,4 +88,18 @@ bool triangles_meet(const Triangle3& a, const Triangle3& b, double tolerance) {
   return !apart;
 }
 
+bool triangles_cross(const Triangle3& a, const Triangle3& b, double depth) {
+  const double longest = std::max({(a[1] - a[0]).squaredNorm(), (a[2] - a[1]).squaredNorm(),
+                                   (a[0] - a[2]).squaredNorm(), (b[1] - b[0]).squaredNorm(),
+                                   (b[2] - b[1]).squaredNorm(), (b[0] - b[2]).squaredNorm()});
+  // Cross products of parallel edges: their direction is rounding.
+  constexpr double kParallel = 1e-9;
+  bool apart = false;
+  for_separating_axes(a, b, [&](const Vec3& axis) {
+    if (axis.squaredNorm() <= kParallel * kParallel * longest * longest) return false;
+    return apart = gap_along(axis, a, b) > -depth * axis.norm();
+  });
+  return !apart;
+}
+
 }  // namespace foldwright

@@ -32,6 +32,10 @@ Triangle2 eroded(const Triangle2& t, double depth, double least);
 /// rounding, which decides over triangles in one plane if the tolerance is 0.
 bool triangles_meet(const Triangle3& a, const Triangle3& b, double tolerance);
 
+/// Whether two triangles run through each other: along no direction that could tell them apart do
+/// they reach into each other by less than `depth` (a length). Triangles in one plane do not.
+bool triangles_cross(const Triangle3& a, const Triangle3& b, double depth);
+
 /// Calls `visit(axis)` for directions along which disjoint triangles are apart, likely ones first,
 /// until it returns true. Axes are not normalised and may vanish.
 template <class Visit>

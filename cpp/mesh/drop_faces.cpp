@@ -4,7 +4,6 @@
 #include <utility>
 
 namespace foldwright {
-namespace {
 
 void keep_only(TriangleSoup& soup, const std::vector<char>& keep) {
   std::size_t kept = 0;
@@ -17,8 +16,6 @@ void keep_only(TriangleSoup& soup, const std::vector<char>& keep) {
   soup.faces.resize(kept);
   soup.source_faces.resize(kept);
 }
-
-}  // namespace
 
 void drop_degenerate(TriangleSoup& soup, double smallest_area) {
   std::vector<char> keep(soup.faces.size());

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "geometry/box_pairs.h"
@@ -11,9 +12,9 @@
 namespace foldwright {
 namespace {
 
-// Along a chain of nearly coplanar faces the angles add up. A panel's faces stay this close to its
-// first one, so that its flat copy is congruent to 1e-8 (half the square of the angle).
-constexpr double kPanelDrift = 5 * kPanelAngle;
+// Corners as near to a panel's plane as this, in mean edges, are in it: their lengths change by
+// half the square of it.
+constexpr double kInPlane = 1e-9;
 
 Vec3 unit_normal(const Mesh& mesh, int face) {
   const auto& [a, b, c] = mesh.faces[face];
@@ -64,24 +65,54 @@ bool overlaps_itself(std::span<const Triangle2> triangles, double unit) {
   return false;
 }
 
+/// Whether a face lies in the plane of a panel's largest one, and looks the same way.
+bool lies_in_plane(const Mesh& mesh, int face, int largest, const Vec3& normal, double unit) {
+  const auto& corners = mesh.faces[face];
+  const Vec3& origin = mesh.positions[mesh.faces[largest][0]];
+  return normal.dot(unit_normal(mesh, face)) > 0 &&
+         std::all_of(corners.begin(), corners.end(), [&](int v) {
+           return std::abs(normal.dot(mesh.positions[v] - origin)) <= kInPlane * unit;
+         });
+}
+
 /// Faces of the panel that grows from `seed` over edges that are flat, ascending.
-std::vector<int> grow_panel(const Mesh& mesh, int seed, std::vector<int>& panel_of, int panel) {
+std::vector<int> grow_panel(const Mesh& mesh, int seed, std::vector<char>& taken, double unit) {
   const Vec3 normal = unit_normal(mesh, seed);
+  const auto belongs = [&](int e, int face) {
+    const bool flat = std::abs(fold_angle(mesh, e)) < kPanelAngle &&
+                      angle_between(normal, unit_normal(mesh, face)) <= kPanelDrift;
+    return flat || lies_in_plane(mesh, face, seed, normal, unit);
+  };
   std::vector<int> faces = {seed};
-  panel_of[seed] = panel;
+  taken[seed] = true;
   for (std::size_t head = 0; head < faces.size(); ++head) {
     for (const int e : mesh.face_edges[faces[head]]) {
       const Mesh::Edge& edge = mesh.edges[e];
       const int next = edge.faces[0] == faces[head] ? edge.faces[1] : edge.faces[0];
-      if (next == -1 || panel_of[next] != -1) continue;
-      if (std::abs(fold_angle(mesh, e)) >= kPanelAngle) continue;
-      if (angle_between(normal, unit_normal(mesh, next)) > kPanelDrift) continue;
-      panel_of[next] = panel;
+      if (next == -1 || taken[next] || !belongs(e, next)) continue;
+      taken[next] = true;
       faces.push_back(next);
     }
   }
   std::sort(faces.begin(), faces.end());
   return faces;
+}
+
+/// All panels, each with its faces ascending, in order of their lowest face.
+std::vector<std::vector<int>> grow_panels(const Mesh& mesh, double unit) {
+  std::vector<double> areas;
+  for (int f = 0; f < mesh.face_count(); ++f) areas.push_back(face_area(mesh, f));
+  std::vector<int> by_area(areas.size());
+  std::iota(by_area.begin(), by_area.end(), 0);
+  std::stable_sort(by_area.begin(), by_area.end(),
+                   [&](int a, int b) { return areas[a] > areas[b]; });
+  std::vector<char> taken(areas.size(), false);
+  std::vector<std::vector<int>> panels;
+  for (const int seed : by_area) {
+    if (!taken[seed]) panels.push_back(grow_panel(mesh, seed, taken, unit));
+  }
+  std::sort(panels.begin(), panels.end());
+  return panels;
 }
 
 void add_panel(const Mesh& mesh, DualGraph& graph, std::span<const int> faces,
@@ -99,9 +130,7 @@ void add_panel(const Mesh& mesh, DualGraph& graph, std::span<const int> faces,
 
 std::vector<int> build_panels(const Mesh& mesh, DualGraph& graph) {
   std::vector<int> panel_of(mesh.faces.size(), -1);
-  for (int seed = 0; seed < mesh.face_count(); ++seed) {
-    if (panel_of[seed] != -1) continue;
-    const std::vector<int> faces = grow_panel(mesh, seed, panel_of, graph.panel_count());
+  for (const std::vector<int>& faces : grow_panels(mesh, graph.unit)) {
     const std::vector<Triangle2> flat = flatten(mesh, faces);
     if (faces.size() == 1 || !overlaps_itself(flat, graph.unit)) {
       add_panel(mesh, graph, faces, flat, panel_of);

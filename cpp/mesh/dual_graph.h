@@ -15,6 +15,10 @@ namespace foldwright {
 /// paper can show, far above the rounding of coordinates written with nine digits.
 inline constexpr double kPanelAngle = 0.001 * 3.14159265358979323846 / 180;
 
+/// Along a chain of nearly coplanar faces the angles add up. A panel's faces stay this close to its
+/// largest one, so that its flat copy is congruent to 1e-8 (half the square of the angle).
+inline constexpr double kPanelDrift = 5 * kPanelAngle;
+
 /// The line along which two panels meet: one mesh edge, or several collinear ones.
 struct Hinge {
   std::array<int, 2> panels;  ///< indices into the graph, `panels[0] < panels[1]`
@@ -66,7 +70,9 @@ struct DualGraph {
 /// mountain (convex) negative. Faces folded onto each other count as a mountain.
 double fold_angle(const Mesh& mesh, int edge);
 
-/// The dual graph of the whole mesh. Panels are numbered by their lowest face.
+/// The dual graph of the whole mesh. Panels are numbered by their lowest face; they grow from their
+/// largest one, and also take in needles that lie in its plane up to rounding, whose own normals
+/// tell nothing.
 DualGraph build_dual_graph(const Mesh& mesh);
 
 /// The part of `graph` made of `panels` (ascending), with the hinges between them.

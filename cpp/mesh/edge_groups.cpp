@@ -25,4 +25,25 @@ EdgeGroups group_half_edges(const TriangleSoup& soup) {
   return groups;
 }
 
+std::vector<int> border_half_edges(const TriangleSoup& soup) {
+  const EdgeGroups groups = group_half_edges(soup);
+  std::vector<int> border;
+  for (int g = 0; g < groups.count(); ++g) {
+    if (groups.group(g).size() == 1) border.push_back(groups.group(g).front());
+  }
+  std::sort(border.begin(), border.end());
+  return border;
+}
+
+std::vector<int> vertices_of(const TriangleSoup& soup, std::span<const int> half_edges) {
+  std::vector<int> vertices;
+  for (const int h : half_edges) {
+    vertices.push_back(start_vertex(soup, h));
+    vertices.push_back(end_vertex(soup, h));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 }  // namespace foldwright

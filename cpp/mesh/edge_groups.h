@@ -22,4 +22,10 @@ struct EdgeGroups {
 /// Groups are in ascending order of their lower, then their higher vertex.
 EdgeGroups group_half_edges(const TriangleSoup& soup);
 
+/// The half-edges whose edge has no other face, ascending.
+std::vector<int> border_half_edges(const TriangleSoup& soup);
+
+/// The vertices at the ends of some half-edges, ascending.
+std::vector<int> vertices_of(const TriangleSoup& soup, std::span<const int> half_edges);
+
 }  // namespace foldwright

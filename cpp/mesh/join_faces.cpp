@@ -81,13 +81,69 @@ void match_within_solids(std::vector<Spoke> spokes, const Orientation& orientati
   }
 }
 
+/// The two faces of a group that belong to one polygon of the file, of each that has just two.
+void match_within_polygons(const TriangleSoup& soup, std::span<const int> group,
+                           Partners& partners) {
+  for (const int h : group) {
+    int other = -1;
+    int count = 0;
+    for (const int k : group) {
+      if (k == h || soup.source_faces[k / 3] != soup.source_faces[h / 3]) continue;
+      ++count;
+      other = k;
+    }
+    const bool opposite = count == 1 && start_vertex(soup, other) == end_vertex(soup, h);
+    if (opposite && h < other) join(partners, h, other);
+  }
+}
+
+/// Whether free faces of a group lie on each other: walls between rooms, given from both sides.
+bool have_walls(std::span<const Spoke> spokes, const Partners& partners) {
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    for (std::size_t j = i + 1; j < spokes.size(); ++j) {
+      if (spokes[j].angle == spokes[i].angle && partners[spokes[i].half_edge] == -1 &&
+          partners[spokes[j].half_edge] == -1) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Pairs free faces that go on straight across the edge, the straightest first. Both of closed
+/// patches have to agree on what is outside.
+void match_in_planes(const TriangleSoup& soup, std::span<const Spoke> spokes,
+                     const Orientation& orientation, Partners& partners) {
+  // What single precision hides of a plane of narrow triangles.
+  constexpr double kStraight = 1e-3;
+  std::vector<std::tuple<double, int, int>> pairs;  // how far from straight, half-edges
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    for (std::size_t j = i + 1; j < spokes.size(); ++j) {
+      const auto [h, k] = std::minmax(spokes[i].half_edge, spokes[j].half_edge);
+      const double bend = std::abs(spokes[j].angle - spokes[i].angle - std::numbers::pi);
+      const bool both_solid = orientation.solid[orientation.patches[h / 3]] &&
+                              orientation.solid[orientation.patches[k / 3]];
+      const bool agree = start_vertex(soup, h) == end_vertex(soup, k);
+      if (bend < kStraight && (agree || !both_solid)) pairs.emplace_back(bend, h, k);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [bend, h, k] : pairs) {
+    if (partners[h] == -1 && partners[k] == -1) join(partners, h, k);
+  }
+}
+
 }  // namespace
 
 Partners join_manifold_edges(const TriangleSoup& soup, const EdgeGroups& groups) {
   Partners partners(soup.faces.size() * 3, -1);
   for (int g = 0; g < groups.count(); ++g) {
     const std::span<const int> group = groups.group(g);
-    if (group.size() == 2) join(partners, group[0], group[1]);
+    if (group.size() == 2) {
+      join(partners, group[0], group[1]);
+    } else if (group.size() > 2) {
+      match_within_polygons(soup, group, partners);
+    }
   }
   return partners;
 }
@@ -98,9 +154,13 @@ int join_nonmanifold_edges(const TriangleSoup& soup, const EdgeGroups& groups,
   for (int g = 0; g < groups.count(); ++g) {
     const std::span<const int> group = groups.group(g);
     if (group.size() <= 2) continue;
+    const bool is_inside_polygons =
+        std::all_of(group.begin(), group.end(), [&](int h) { return partners[h] != -1; });
+    if (is_inside_polygons) continue;
     ++count;
     const std::vector<Spoke> spokes = sorted_spokes(soup, group);
     match_within_solids(spokes, orientation, partners);
+    if (!have_walls(spokes, partners)) match_in_planes(soup, spokes, orientation, partners);
     match(spokes, partners);
   }
   return count;

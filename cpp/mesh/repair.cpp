@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "mesh/close_cracks.h"
+#include "mesh/crossing_bodies.h"
+#include "mesh/drawn_planes.h"
 #include "mesh/drop_faces.h"
 #include "mesh/edge_groups.h"
+#include "mesh/flatten_planes.h"
 #include "mesh/input_error.h"
 #include "mesh/join_faces.h"
+#include "mesh/merge_sides.h"
 #include "mesh/orient.h"
 #include "mesh/split_nonmanifold.h"
 #include "mesh/t_junctions.h"
@@ -33,6 +39,8 @@ struct Frame {
   int exponent;
   double diagonal;  // of the bounding box, in the repair's units
 
+  double scaled(double length) const { return std::ldexp(length, -exponent); }
+  double in_model_units(double length) const { return std::ldexp(length, exponent); }
   Vec3 scaled(const Vec3& p) const {
     return (p - centre).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
   }
@@ -95,38 +103,107 @@ TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& u
   }
   report(model, "triangulated-polygons", polygons, "face with more than three corners was",
          "faces with more than three corners were", "cut into triangles");
-  return triangulate_soup(soup, vertex_of, std::move(positions));
+  std::vector<double> errors(positions.size(), frame.scaled(soup.precision));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const int stands = standing_for[i];
+    const double moved = (positions[i] - positions[stands]).norm();
+    errors[stands] = std::max(errors[stands], moved);
+  }
+  TriangleSoup triangles = triangulate_soup(soup, vertex_of, std::move(positions));
+  triangles.errors = std::move(errors);
+  return triangles;
 }
 
-/// Drops what is no face and closes the cracks that this or the file leaves.
-void mend_faces(TriangleSoup& triangles, double tolerance, RepairedModel& model) {
+/// A length in the model's units as people write it: "0.002".
+std::string written(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", length);
+  return text;
+}
+
+/// Number of source faces in a list of which nothing is left.
+int count_lost(const TriangleSoup& soup, int source_count, const std::vector<int>& sources) {
+  std::vector<char> lost(source_count, false);
+  for (const int source : sources) lost[source] = true;
+  for (const int source : soup.source_faces) lost[source] = false;
+  return static_cast<int>(std::count(lost.begin(), lost.end(), true));
+}
+
+/// Drops triangles without an area and those that repeat others, from either side.
+class FaceDropper {
+ public:
   // Vertices are at least the tolerance apart, so that the apex of a triangle this small lies
   // within two tolerances of its longest side: the crack it leaves is within reach of the closer.
-  const double smallest_area = tolerance * tolerance;
-  const double reach = 2 * tolerance;
+  FaceDropper(int source_count, double tolerance)
+      : source_count_(source_count), tolerance_(tolerance) {}
+
+  void drop(TriangleSoup& triangles) {
+    drop_degenerate(triangles, tolerance_ * tolerance_);
+    const int before = count_sources(triangles, source_count_, nullptr);
+    drop_duplicates(triangles);
+    const MergedSides merged = merge_sides(triangles, tolerance_);
+    const int two_sided = count_lost(triangles, source_count_, merged.two_sided);
+    two_sided_ += two_sided;
+    duplicates_ += before - count_sources(triangles, source_count_, nullptr) - two_sided;
+  }
+
+  void report_to(RepairedModel& model, const TriangleSoup& triangles) const {
+    const int left = count_sources(triangles, source_count_, nullptr);
+    report(model, "dropped-degenerate-faces", source_count_ - left - duplicates_ - two_sided_,
+           "face was", "faces were", "dropped for having no area");
+    report(model, "dropped-duplicate-faces", duplicates_, "face was", "faces were",
+           "dropped for repeating another one");
+    report(model, "merged-two-sided", two_sided_, "face was", "faces were",
+           "given a second time from the other side; both sides are one skin of paper now");
+  }
+
+ private:
+  int source_count_;
+  double tolerance_;
+  int duplicates_ = 0;
+  int two_sided_ = 0;
+};
+
+/// Closes T-junctions of an edge's length, dropping what is left without an area.
+int close_junctions(TriangleSoup& triangles, double tolerance, FaceDropper& dropper) {
   // Cutting a face at a crack may open another one; in practice the second pass finds none.
   constexpr int kMostPasses = 8;
-  const int sources = model.source_face_count;
-  int duplicates = 0;
   int closed = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    drop_degenerate(triangles, smallest_area);
-    const int before = count_sources(triangles, sources, nullptr);
-    drop_duplicates(triangles);
-    duplicates += before - count_sources(triangles, sources, nullptr);
-    const int closed_now = close_t_junctions(triangles, reach);
+    dropper.drop(triangles);
+    const int closed_now = close_t_junctions(triangles, 2 * tolerance);
     if (closed_now == 0) break;
     closed += closed_now;
   }
-  drop_degenerate(triangles, smallest_area);
-  const int lost = sources - count_sources(triangles, sources, nullptr) - duplicates;
-  report(model, "dropped-degenerate-faces", lost, "face was", "faces were",
-         "dropped for having no area");
-  report(model, "dropped-duplicate-faces", duplicates, "face was", "faces were",
-         "dropped for repeating another one");
-  report(model, "closed-t-junctions", closed, "edge was", "edges were",
+  return closed;
+}
+
+/// Drops what is no face and closes the cracks that this or the file leaves.
+void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
+                RepairedModel& model) {
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  FaceDropper dropper(model.source_face_count, tolerance);
+  const int junctions = close_junctions(triangles, tolerance, dropper);
+  const ClosedCracks cracks = close_cracks(triangles, options.widest_crack * frame.diagonal);
+  dropper.drop(triangles);
+  dropper.report_to(model, triangles);
+  report(model, "closed-t-junctions", junctions, "edge was", "edges were",
          "cut at vertices of its neighbours to close a crack");
+  report(model, "closed-cracks", cracks.edges, "edge was", "edges were",
+         "joined to others across cracks, the widest " +
+             written(frame.in_model_units(cracks.width)) + " of the model's units wide");
   if (triangles.faces.empty()) throw InputError("no-area", "no face of the model has an area");
+}
+
+/// Makes flat what was drawn flat.
+void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& model) {
+  const Flattening flattening = flatten_planes(triangles, find_drawn_planes(triangles));
+  std::vector<char> flattened(triangles.faces.size(), false);
+  for (const int face : flattening.faces) flattened[face] = true;
+  report(model, "flattened-faces", count_sources(triangles, model.source_face_count, &flattened),
+         "face was", "faces were",
+         "made exactly flat, as drawn; no corner moved by more than " +
+             written(frame.in_model_units(flattening.distance)) + " of the model's units");
 }
 
 /// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
@@ -186,6 +263,24 @@ Mesh finished_mesh(TriangleSoup&& triangles, const Frame& frame) {
                    std::move(triangles.source_faces));
 }
 
+/// Tells what the mesh is, where people may not know or may have meant something else.
+void report_shape(RepairedModel& model, const RepairOptions& options) {
+  int borders = 0;
+  for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
+  report(model, "open-border", borders, "edge lies", "edges lie",
+         "on the border of an open surface; gaps wider than " + written(options.widest_crack) +
+             " of the model's size, or wide against the edges beside them, are left open");
+  const Crossings crossings = find_crossings(model.mesh);
+  report(model, "crossing-bodies", crossings.pairs, "pair of bodies runs", "pairs of bodies run",
+         "through each other: their pieces would collide when assembled; unite them in the "
+         "modelling program");
+  report(model, "self-crossing-bodies", crossings.bodies, "body runs", "bodies run",
+         "through itself: its pieces would collide when assembled; mend it in the modelling "
+         "program");
+  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count(), "face is",
+         "faces are", "too many to look whether bodies run through each other");
+}
+
 }  // namespace
 
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
@@ -202,14 +297,12 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   const Frame frame = frame_of(used_positions);
   const double tolerance = options.weld_tolerance * frame.diagonal;
   TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
-  mend_faces(triangles, tolerance, model);
+  mend_faces(triangles, frame, options, model);
   make_manifold(triangles, model);
+  flatten_faces(triangles, frame, model);
   model.mesh = finished_mesh(std::move(triangles), frame);
 
-  int borders = 0;
-  for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
-  report(model, "open-border", borders, "edge lies", "edges lie",
-         "on the border of an open surface");
+  report_shape(model, options);
   return model;
 }
 

@@ -11,6 +11,9 @@ struct RepairOptions {
   /// Vertices nearer than this share of the bounding box's diagonal become one. Exporters round to
   /// six or seven digits, so genuine detail lies well above it and copies well below.
   double weld_tolerance = 1e-6;
+  /// Cracks between borders up to this share of the bounding box's diagonal are closed, unless they
+  /// are wider than a tenth of the edges beside them: a tenth of a millimetre on ten centimetres.
+  double widest_crack = 1e-3;
 };
 
 /// A mesh that can be unfolded, and what had to be done to the input for it.
@@ -22,11 +25,13 @@ struct RepairedModel {
 
 /// Turns polygons into an oriented manifold triangle mesh, and reports everything it changed.
 ///
-/// Vertices are welded, polygons triangulated, degenerate and duplicate faces dropped, T-junctions
-/// closed, winding made consistent and outward per component, non-manifold edges and vertices
-/// split, non-orientable surfaces cut open. Each component of an open surface keeps the winding
-/// that the majority of its area has in the file. The bounding box is centred at the origin.
-/// \throw InputError when no usable face is left
+/// Vertices are welded, polygons triangulated, degenerate and duplicate faces dropped, surfaces
+/// given from both sides made one skin, T-junctions and cracks closed, winding made consistent and
+/// outward per component, non-manifold edges and vertices split, non-orientable surfaces cut open.
+/// What was drawn flat is made flat as far as the file's precision explains that it is not
+/// (`find_drawn_planes`). Bodies that run through each other are told of, and stay as they are.
+/// Each component of an open surface keeps the winding that the majority of its area has in the
+/// file. The bounding box is centred at the origin. \throw InputError when no usable face is left
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 }  // namespace foldwright

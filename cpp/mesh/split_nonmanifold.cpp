@@ -28,8 +28,7 @@ int split_vertices(TriangleSoup& soup, const Partners& partners) {
     if (copy == -1) {
       copy = vertex;
       if (++fans_of[vertex] > 1) {
-        copy = static_cast<int>(soup.positions.size());
-        soup.positions.push_back(Vec3(soup.positions[vertex]));
+        copy = add_vertex(soup, Vec3(soup.positions[vertex]), vertex);
       }
     }
     vertex = copy;
@@ -49,9 +48,9 @@ int halve_parallel_edges(TriangleSoup& soup, const Partners& partners) {
     for (const int h : groups.group(g)) {
       const bool is_counted = partners[h] != -1 && partners[h] < h;
       if (h == first || partners[h] == first || is_counted) continue;
-      const int middle = static_cast<int>(soup.positions.size());
-      soup.positions.push_back(
-          0.5 * (soup.positions[start_vertex(soup, h)] + soup.positions[end_vertex(soup, h)]));
+      const int start = start_vertex(soup, h);
+      const int middle = add_vertex(
+          soup, 0.5 * (soup.positions[start] + soup.positions[end_vertex(soup, h)]), start);
       insertions[h] = {middle};
       if (partners[h] != -1) insertions[partners[h]] = {middle};
       ++count;

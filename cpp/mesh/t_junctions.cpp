@@ -10,29 +10,28 @@
 namespace foldwright {
 namespace {
 
-std::vector<int> border_half_edges(const TriangleSoup& soup) {
-  const EdgeGroups groups = group_half_edges(soup);
-  std::vector<int> border;
-  for (int g = 0; g < groups.count(); ++g) {
-    if (groups.group(g).size() == 1) border.push_back(groups.group(g).front());
-  }
-  std::sort(border.begin(), border.end());
-  return border;
+double distance_to_line(const TriangleSoup& soup, int half_edge, int vertex) {
+  const Vec3& a = soup.positions[start_vertex(soup, half_edge)];
+  const Vec3 along = (soup.positions[end_vertex(soup, half_edge)] - a).normalized();
+  return along.cross(soup.positions[vertex] - a).norm();
 }
 
 /// Vertices from the start to the end of a border edge, with all border vertices on it between.
 std::vector<int> chain_along(const TriangleSoup& soup, int half_edge, const SegmentQuery& query,
-                             const std::vector<int>& vertices, double tolerance) {
+                             const std::vector<int>& vertices, std::span<const double> tolerances) {
   const int start = start_vertex(soup, half_edge);
   const int end = end_vertex(soup, half_edge);
   const int apex = end_vertex(soup, next_half_edge(half_edge));  // of a face that is nearly flat
   const Vec3& a = soup.positions[start];
   const Vec3& b = soup.positions[end];
   const double length = (b - a).norm();
+  const double edge_reach = std::min(tolerances[start], tolerances[end]);
   std::vector<std::pair<double, int>> between;
-  for (const int i : query.near(a, b, tolerance)) {
+  for (const int i : query.near(a, b, edge_reach)) {
     const int vertex = vertices[i];
     const double along = (soup.positions[vertex] - a).dot(b - a) / length;
+    const double tolerance = std::min(edge_reach, tolerances[vertex]);
+    if (distance_to_line(soup, half_edge, vertex) > tolerance) continue;
     // Less than this from an end would make a triangle without an area.
     const bool inside = along > 0.25 * tolerance && along < length - 0.25 * tolerance;
     if (inside && vertex != start && vertex != end && vertex != apex) {
@@ -80,31 +79,37 @@ std::vector<int> useful_vertices(const std::vector<int>& chain, const std::vecto
 
 }  // namespace
 
-int close_t_junctions(TriangleSoup& soup, double tolerance) {
+ClosedCracks close_t_junctions(TriangleSoup& soup, std::span<const double> tolerances) {
   const std::vector<int> border = border_half_edges(soup);
-  std::vector<int> vertices;
-  for (const int h : border) {
-    vertices.push_back(start_vertex(soup, h));
-    vertices.push_back(end_vertex(soup, h));
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<int> vertices = vertices_of(soup, border);
   std::vector<Vec3> points;
   for (const int vertex : vertices) points.push_back(soup.positions[vertex]);
 
   const SegmentQuery query(points);
   std::vector<std::vector<int>> chains;
-  for (const int h : border) {
-    chains.push_back(chain_along(soup, h, query, vertices, tolerance));
-  }
+  for (const int h : border) chains.push_back(chain_along(soup, h, query, vertices, tolerances));
   const std::vector<Link> links = shared_links(chains);
+  ClosedCracks closed;
   EdgeInsertions insertions;
+  soup.errors.resize(soup.positions.size(), 0);
   for (std::size_t i = 0; i < border.size(); ++i) {
     std::vector<int> inserted = useful_vertices(chains[i], links);
-    if (!inserted.empty()) insertions.emplace(border[i], std::move(inserted));
+    if (inserted.empty()) continue;
+    for (const int vertex : inserted) {
+      const double off = distance_to_line(soup, border[i], vertex);
+      soup.errors[vertex] = std::max(soup.errors[vertex], off);
+      closed.width = std::max(closed.width, off);
+    }
+    insertions.emplace(border[i], std::move(inserted));
   }
   insert_on_edges(soup, insertions);
-  return static_cast<int>(insertions.size());
+  closed.edges = static_cast<int>(insertions.size());
+  return closed;
+}
+
+int close_t_junctions(TriangleSoup& soup, double tolerance) {
+  const std::vector<double> tolerances(soup.positions.size(), tolerance);
+  return close_t_junctions(soup, tolerances).edges;
 }
 
 }  // namespace foldwright

@@ -13,9 +13,24 @@ struct TriangleSoup {
   std::vector<Vec3> positions;
   std::vector<std::array<int, 3>> faces;
   std::vector<int> source_faces;  ///< per face: index of the face it came from in the file as read
+  /// Per vertex: how far each of its coordinates may be from what was meant. Vertices past its end
+  /// are exact.
+  std::vector<double> errors;
 
   int face_count() const { return static_cast<int>(faces.size()); }
+  double error(int vertex) const {
+    return vertex < static_cast<int>(errors.size()) ? errors[vertex] : 0;
+  }
 };
+
+/// Adds a vertex that is as precise as another one, and returns its index.
+inline int add_vertex(TriangleSoup& soup, const Vec3& position, int like) {
+  const double error = soup.error(like);
+  soup.errors.resize(soup.positions.size(), 0);
+  soup.errors.push_back(error);
+  soup.positions.push_back(Vec3(position));
+  return static_cast<int>(soup.positions.size()) - 1;
+}
 
 /// Twice the area of a face as a vector along its normal.
 inline Vec3 area_vector(const TriangleSoup& soup, int face) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace foldwright {
 namespace {
@@ -175,12 +177,91 @@ class EarClipper {
   }
 };
 
+/// Height of a triangle over its longest edge, in lengths of that; negative if it is clockwise.
+double slenderness(std::span<const Vec2> points, const Triangle& t) {
+  double longest = 0;
+  for (int i = 0; i < 3; ++i) {
+    longest = std::max(longest, (points[t[(i + 1) % 3]] - points[t[i]]).squaredNorm());
+  }
+  return longest > 0 ? cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / longest
+                     : 0;
+}
+
+/// The triangle turned so that its longest edge comes first.
+Triangle from_longest_edge(std::span<const Vec2> points, Triangle t) {
+  const auto length = [&](int i) { return (points[t[(i + 1) % 3]] - points[t[i]]).squaredNorm(); };
+  int longest = 0;
+  for (const int i : {1, 2}) {
+    if (length(i) > length(longest)) longest = i;
+  }
+  std::rotate(t.begin(), t.begin() + longest, t.end());
+  return t;
+}
+
+/// Clipping ears leaves needles between corners in line, whose rounding may even turn them over:
+/// they give their longest edge for the other diagonal of the two triangles beside it, where that
+/// leaves the slenderer of the two broader.
+class NeedleFlipper {
+ public:
+  NeedleFlipper(std::span<const Vec2> points, std::vector<Triangle>& triangles)
+      : points_(points), triangles_(triangles) {
+    for (int t = 0; t < static_cast<int>(triangles.size()); ++t) put(t, triangles[t]);
+  }
+
+  void flip_all() {
+    // Each flip makes triangles broader, but there may be many on the way.
+    auto flips_left = triangles_.size();
+    while (!needles_.empty() && flips_left > 0) {
+      const int needle = needles_.back();
+      needles_.pop_back();
+      flips_left -= flip(needle);
+    }
+  }
+
+ private:
+  static constexpr double kNeedle = 0.02;
+
+  std::span<const Vec2> points_;
+  std::vector<Triangle>& triangles_;
+  std::map<std::pair<int, int>, int> beside_;  // the triangle along an edge, by its ends
+  std::vector<int> needles_;
+
+  void put(int index, const Triangle& triangle) {
+    triangles_[index] = triangle;
+    for (int i = 0; i < 3; ++i) beside_[{triangle[i], triangle[(i + 1) % 3]}] = index;
+    if (slenderness(points_, triangle) < kNeedle) needles_.push_back(index);
+  }
+
+  bool flip(int needle) {
+    const auto [a, b, c] = from_longest_edge(points_, triangles_[needle]);
+    const auto entry = beside_.find({b, a});
+    if (entry == beside_.end()) return false;  // the edge is one of the polygon's
+    const int other = entry->second;
+    const Triangle& t = triangles_[other];
+    const int d = t[0] != a && t[0] != b ? t[0] : t[1] != a && t[1] != b ? t[1] : t[2];
+    const Triangle first = {c, a, d};
+    const Triangle second = {d, b, c};
+    const double before =
+        std::min(slenderness(points_, triangles_[needle]), slenderness(points_, triangles_[other]));
+    const double after = std::min(slenderness(points_, first), slenderness(points_, second));
+    if (after <= before) return false;
+    beside_.erase({a, b});
+    beside_.erase({b, a});
+    put(needle, first);
+    put(other, second);
+    return true;
+  }
+};
+
 }  // namespace
 
 std::vector<Triangle> triangulate(std::span<const Vec3> polygon) {
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return triangulate_quad(polygon);
-  return EarClipper(project(polygon)).clip();
+  const std::vector<Vec2> points = project(polygon);
+  std::vector<Triangle> triangles = EarClipper(points).clip();
+  NeedleFlipper(points, triangles).flip_all();
+  return triangles;
 }
 
 }  // namespace foldwright

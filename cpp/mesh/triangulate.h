@@ -15,7 +15,8 @@ namespace foldwright {
 /// equally long ones the one at corner 0. Larger polygons are clipped ear by ear, best shaped ear
 /// first, in the plane of their Newell normal; concave and moderately bent ones come out right.
 /// Where no ear is left (the polygon crosses itself) the flattest corner is cut off all the same,
-/// so that there are always n - 2 triangles; some of them may have no area.
+/// so that there are always n - 2 triangles; some of them may have no area. Needles between corners
+/// in line give their longest edge for the other diagonal.
 /// Quadratic time: 10,000 corners take about a second. \pre at least 3 corners
 std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon);
 

@@ -41,22 +41,22 @@ std::vector<int> clean(const std::vector<int>& polygon) {
   return ring;
 }
 
-/// Turns the ring to a beginning that depends on its vertices alone. The two sides of a sheet get
-/// beginnings next to each other: equally long diagonals then cross instead of coinciding, and do
-/// not make an edge with four faces.
-void turn_to_canonical_beginning(std::vector<int>& ring) {
-  auto begin = std::min_element(ring.begin(), ring.end());
-  const int next = begin + 1 == ring.end() ? ring.front() : *(begin + 1);
-  const int previous = begin == ring.begin() ? ring.back() : *(begin - 1);
-  if (next > previous && ++begin == ring.end()) begin = ring.begin();
-  std::rotate(ring.begin(), begin, ring.end());
+/// Turns the ring to a beginning and a direction that depend on its vertices alone. Returns whether
+/// the direction is now the other one.
+bool make_canonical(std::vector<int>& ring) {
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  const bool reversed = ring.back() < ring[1];
+  if (reversed) std::reverse(ring.begin() + 1, ring.end());
+  return reversed;
 }
 
-void add_polygon(TriangleSoup& triangles, const std::vector<int>& ring, int source_face) {
+void add_polygon(TriangleSoup& triangles, std::vector<int> ring, int source_face) {
+  const bool reversed = make_canonical(ring);
   std::vector<Vec3> points;
   for (const int vertex : ring) points.push_back(triangles.positions[vertex]);
-  for (const auto& [i, j, k] : triangulate(points)) {
+  for (auto [i, j, k] : triangulate(points)) {
     if (ring[i] == ring[j] || ring[j] == ring[k] || ring[k] == ring[i]) continue;
+    if (reversed) std::swap(j, k);
     triangles.faces.push_back({ring[i], ring[j], ring[k]});
     triangles.source_faces.push_back(source_face);
   }
@@ -81,8 +81,7 @@ TriangleSoup triangulate_soup(const PolygonSoup& soup, std::span<const int> vert
                                                std::to_string(ring.size()) +
                                                " corners; up to 10000 are supported");
     }
-    turn_to_canonical_beginning(ring);
-    add_polygon(triangles, ring, f);
+    add_polygon(triangles, std::move(ring), f);
   }
   return triangles;
 }

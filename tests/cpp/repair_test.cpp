@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/random.h"
+#include "mesh/dual_graph.h"
 #include "mesh_faults.h"
 #include "meshes.h"
 #include "model_text.h"
@@ -122,12 +123,62 @@ TEST(Repair, FindsDuplicatePolygonsThatBeginElsewhere) {
   EXPECT_EQ(model.mesh.face_count(), 2);
 }
 
-TEST(Repair, KeepsBothSidesOfASheet) {
-  // A strip with both sides: closed, although it encloses nothing.
+TEST(Repair, MakesOneSkinOfASheetGivenFromBothSides) {
   const PolygonSoup strip = soup_of(open_strip(3));
   const RepairedModel model = sound_repair(with(strip, inside_out(strip), Vec3::Zero()));
   EXPECT_EQ(model.mesh.component_count, 1);
-  EXPECT_EQ(border_edge_count(model.mesh), 0);
+  EXPECT_EQ(model.mesh.face_count(), 6);
+  EXPECT_EQ(count_of(model, "merged-two-sided"), 6);
+}
+
+TEST(Repair, MakesOneSkinOfPolygonsGivenFromBothSides) {
+  // Two panels of a tent, each from the front and from the back.
+  const RepairedModel model =
+      sound_repair(soup({{0, 0, 0}, {6, 0, 0}, {6, 3, 2.5}, {0, 3, 2.5}, {6, 0, 5}, {0, 0, 5}},
+                        {{0, 1, 2, 3}, {3, 2, 4, 5}, {3, 2, 1, 0}, {5, 4, 2, 3}}));
+  EXPECT_EQ(count_of(model, "merged-two-sided"), 2);
+  EXPECT_EQ(count_of(model, "split-nonmanifold-edges"), 0);
+  EXPECT_EQ(model.mesh.face_count(), 4);
+  EXPECT_EQ(border_edge_count(model.mesh), 6);
+}
+
+TEST(Repair, KeepsCrossingSheetsFlat) {
+  // Two kites that cross along a diagonal of both, as quads and as triangles.
+  const std::vector<Vec3> corners = {{0, 0, 0},    {15, 10, 0}, {0, 20, 0},
+                                     {-15, 10, 0}, {0, 10, 15}, {0, 10, -15}};
+  for (const auto& polygons : {std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 4, 2, 5}},
+                               {{0, 1, 2}, {0, 2, 3}, {0, 4, 2}, {0, 2, 5}},
+                               {{0, 1, 2}, {0, 3, 2}, {0, 4, 2}, {0, 5, 2}}}) {
+    const RepairedModel model = sound_repair(soup(corners, polygons));
+    const DualGraph graph = build_dual_graph(model.mesh);
+    EXPECT_EQ(graph.panel_count(), 2);
+    EXPECT_EQ(graph.hinge_count(), 0);
+  }
+}
+
+TEST(Repair, ClosesACrackAndTellsItsWidth) {
+  // The ridges of the tent's two panels lie 0.002 apart, the tent being 60 long.
+  const RepairedModel model = sound_repair(soup({{0, 0, 0},
+                                                 {60, 0, 0},
+                                                 {60, 30, 25},
+                                                 {0, 30, 25},
+                                                 {60, 30, 25.002},
+                                                 {0, 30, 25.002},
+                                                 {60, 0, 50},
+                                                 {0, 0, 50}},
+                                                {{0, 1, 2, 3}, {5, 4, 6, 7}}));
+  EXPECT_EQ(count_of(model, "closed-cracks"), 2);
+  EXPECT_NE(repair_named(model.repairs, "closed-cracks").text.find("0.002"), std::string::npos);
+  EXPECT_EQ(model.mesh.component_count, 1);
+  EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), 2);
+}
+
+TEST(Repair, TellsOfBodiesThatRunThroughEachOther) {
+  const RepairedModel model = sound_repair(with(soup_of(cube()), soup_of(cube()), {0.5, 0.3, 0.2}));
+  EXPECT_EQ(count_of(model, "crossing-bodies"), 1);
+  EXPECT_EQ(count_of(sound_repair(with(soup_of(cube()), soup_of(cube()), {1, 0.3, 0})),
+                     "crossing-bodies"),
+            0);
 }
 
 TEST(Repair, ClosesTheCrackThatADegenerateFaceLeaves) {

@@ -116,5 +116,14 @@ TEST(Triangulate, KeepsTheCountWhenAPolygonCrossesItself) {
   EXPECT_EQ(triangulate(line).size(), 3u);
 }
 
+TEST(Triangulate, LeavesNoNeedlesBetweenCornersInLine) {
+  // An L, whose inner corner is in line with two outer ones up to rounding.
+  const std::vector<Vec3> corners = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0},
+                                     {1, 1, 0}, {1, 2, 0}, {-1e-4, 2, 0}};
+  for (const auto& [a, b, c] : triangulate(corners)) {
+    EXPECT_GT((corners[b] - corners[a]).cross(corners[c] - corners[a]).z(), 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace foldwright

@@ -1,0 +1,49 @@
+#include "mesh/crossing_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "meshes.h"
+
+namespace foldwright::testing {
+namespace {
+
+/// Two meshes as one, the second shifted.
+Mesh both(const Mesh& first, const Mesh& second, const Vec3& shift) {
+  std::vector<Vec3> positions = first.positions;
+  std::vector<std::array<int, 3>> faces = first.faces;
+  for (const Vec3& p : second.positions) positions.push_back(p + shift);
+  for (auto face : second.faces) {
+    for (int& v : face) v += first.vertex_count();
+    faces.push_back(face);
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+TEST(CrossingBodies, CountsPairsThatRunThroughEachOther) {
+  EXPECT_EQ(find_crossings(both(cube(), cube(), {0.5, 0.4, 0.3})).pairs, 1);
+  EXPECT_EQ(find_crossings(both(torus(12, 8), torus(12, 8), {0.3, 0.2, 0.1})).pairs, 1);
+  // A bar through two opposite faces of the cube, none of whose corners lies inside.
+  Mesh bar = cube();
+  for (Vec3& p : bar.positions) p = p.cwiseProduct(Vec3(0.3, 0.3, 4));
+  EXPECT_EQ(find_crossings(both(cube(), bar, Vec3::Zero())).pairs, 1);
+}
+
+TEST(CrossingBodies, LeavesBodiesThatTouchOrContainEachOther) {
+  for (const Vec3& shift : {Vec3(1, 0, 0), Vec3(1, 0.3, 0.4), Vec3(1, 1, 0), Vec3(1, 1, 1),
+                            Vec3(1, 1, 0.5), Vec3(3, 0, 0)}) {
+    EXPECT_EQ(find_crossings(both(cube(), cube(), shift)).pairs, 0) << shift.transpose();
+  }
+  Mesh inner = cube();
+  for (Vec3& p : inner.positions) p *= 0.5;
+  EXPECT_EQ(find_crossings(both(cube(), inner, Vec3::Zero())).pairs, 0);
+}
+
+TEST(CrossingBodies, CountsBodiesThatRunThroughThemselves) {
+  EXPECT_EQ(find_crossings(crossing_strip()).bodies, 1);
+  for (const Mesh& mesh : {cube(), star(), torus(8, 6), l_prism(), dumbbell(), bumpy_sphere(500)}) {
+    EXPECT_EQ(find_crossings(mesh).bodies, 0);
+  }
+}
+
+}  // namespace
+}  // namespace foldwright::testing
