@@ -28,7 +28,7 @@ struct PolygonSoup {
   /// Largest rounding error of a coordinate, in model units, as estimated by CoordinatePrecision
   /// from how the file writes its numbers; 0 for a soup that was not read from a file.
   double precision = 0;
-  Axis usual_up = Axis::kY;             ///< the axis that points up in most files of its format
+  Axis usual_up = Axis::kY;  ///< the axis that points up in most files of its format
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 };

@@ -1,6 +1,7 @@
 #include "pipeline/recut_nets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "mesh/input_error.h"
@@ -30,18 +31,24 @@ Plates plates_of(const DualGraph& graph, const FoundNet& found, const Net& net) 
   return plates;
 }
 
-/// Says how large a sheet would have to be for a face that cannot be cut.
+/// Says by how much a face that cannot be cut is too large for the sheet.
 InputError too_large(const JobState& state, const Net& net) {
   double longest = 0;
   for (const NetEdge& edge : net.edges) {
+    // Diagonals within the face are ours, and tell a person nothing.
+    if (edge.assignment != Assignment::kCut) continue;
     const auto& [a, b] = edge.vertices;
     longest = std::max(longest, (net.vertices[a] - net.vertices[b]).norm());
   }
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "at this size a single face, with an edge of %.0f mm, is larger than a sheet of "
-                "%g x %g mm: choose larger paper or a smaller model",
-                longest, state.options.sheet.width, state.options.sheet.height);
+  const Footprint print = footprint_of(net);
+  const double share = fitting_scale(std::span(&print, 1), state.options.sheet);
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "at this size a flat face with an edge of %.0f mm is larger than a sheet of %g x %g "
+      "mm: it would fit at %.0f %% of the size, or on paper %.1f times as large",
+      longest, state.options.sheet.width, state.options.sheet.height, std::floor(100 * share),
+      std::ceil(10 / share) / 10);
   return InputError("face-too-large", text);
 }
 

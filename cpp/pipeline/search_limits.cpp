@@ -12,6 +12,9 @@ namespace {
 constexpr int kAttemptsOfPart = 3;
 constexpr int kAttemptsOfWhole = 12;
 
+// The same where nobody asked for one piece: two will do, and come sooner.
+constexpr int kAttemptsOfFreeWhole = 4;
+
 // The same of a large region that has a net: two more attempts at one that folds straight take half
 // the time again, and cure one part in 120.
 constexpr int kAttemptsOfLarge = 1;
@@ -60,7 +63,8 @@ bool is_too_large_to_plan(const JobState& state, const Region& region) {
 int attempts_for(const JobState& state, const Region& region, bool has_net) {
   if (state.options.solver == Solver::kGenetic) return kEvolutions;
   if (has_net && is_too_large_to_plan(state, region)) return kAttemptsOfLarge;
-  return is_component(state, region) && !has_net ? kAttemptsOfWhole : kAttemptsOfPart;
+  if (!is_component(state, region) || has_net) return kAttemptsOfPart;
+  return state.options.parts == 0 ? kAttemptsOfFreeWhole : kAttemptsOfWhole;
 }
 
 std::int64_t patience_for(const Region& region) {

@@ -40,6 +40,9 @@ class MovingLayout {
   /// Hinges that could replace the cut: all others between the two sides.
   std::span<const int> joins() const { return tree_.joins(); }
   int selected_size() const { return static_cast<int>(tree_.selected().size()); }
+  /// Cost of the swap that was tried last, in panels of one face: those selected, and more where
+  /// panels have many faces. The cost in each layer is about the same.
+  std::int64_t trial_cost() const { return selected_size() + flat_.trial_excess(); }
   /// Conflicts between the two sides as they lie now.
   int crossing_conflicts() const;
 

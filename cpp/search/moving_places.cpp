@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace foldwright {
+namespace {
+
+// Faces that are usually looked at beside one that moves, at most.
+constexpr std::int64_t kUsualVisits = 64;
+
+// Faces beyond these that cost as much as moving another face: large ones nearly all meet its box.
+constexpr std::int64_t kVisitsOfFace = 16;
+
+}  // namespace
 
 bool FlatSpace::collide(const Face& a, const Face& b) const {
   return triangles_overlap(a, b, kOverlapTolerance * graph->unit);
@@ -117,6 +126,7 @@ int MovingPlaces<Space>::try_join(MovingTree& tree, int join, double limit) {
   trial_.onto = onto;
   trial_.motion = places_[onto] * space_.beside(join, hung) * places_[hung].inverse();
   trial_.collisions.clear();
+  trial_.panels = trial_.faces = trial_.visits = 0;
   for (std::size_t i = 0; i < tree.selected().size(); ++i) {
     if (!count_panel(tree, tree.listed(i), limit)) break;
   }
@@ -126,12 +136,15 @@ int MovingPlaces<Space>::try_join(MovingTree& tree, int join, double limit) {
 template <class Space>
 bool MovingPlaces<Space>::count_panel(const MovingTree& tree, int panel, double limit) {
   const auto first_of_panel = static_cast<std::ptrdiff_t>(trial_.collisions.size());
+  ++trial_.panels;
   for (int i = graph_->first_face[panel]; i < graph_->first_face[panel + 1]; ++i) {
     const Face face = space_.placed(trial_.motion, faces_[i]);
     const Box<kDimensions> box = space_.box(face);
     ++query_;
+    ++trial_.faces;
     bool within = true;
     grid_.visit(box, [&](int other) {
+      ++trial_.visits;
       if (seen_[other] == query_) return true;
       seen_[other] = query_;
       const int partner = panel_of_[other];
@@ -151,6 +164,12 @@ bool MovingPlaces<Space>::count_panel(const MovingTree& tree, int panel, double 
     if (!within) return false;
   }
   return true;
+}
+
+template <class Space>
+std::int64_t MovingPlaces<Space>::trial_excess() const {
+  const std::int64_t unusual = trial_.visits - kUsualVisits * trial_.faces;
+  return trial_.faces - trial_.panels + std::max<std::int64_t>(0, unusual) / kVisitsOfFace;
 }
 
 template <class Space>

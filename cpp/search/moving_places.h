@@ -75,6 +75,10 @@ class MovingPlaces {
   int collision_count() const { return collision_count_; }
   /// Where each panel lies.
   const std::vector<typename Space::Motion>& places() const { return places_; }
+  /// What the last trial cost beyond that of as many panels of one face each, in such panels. A
+  /// panel of many triangles costs more, and above all where they reach so far that all are near
+  /// all others.
+  std::int64_t trial_excess() const;
   /// How the selected side moved in the last trial.
   const typename Space::Motion& trial_motion() const { return trial_.motion; }
   /// Panels that collide with some other, in no particular (but reproducible) order.
@@ -100,6 +104,7 @@ class MovingPlaces {
     Motion motion;
     int hung, onto;
     std::vector<std::array<int, 2>> collisions;  ///< (moved panel, panel that stays)
+    std::int64_t panels, faces, visits;          ///< moved, their faces, and faces beside those
   };
 
   double mean_box_size() const;

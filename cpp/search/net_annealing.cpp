@@ -112,9 +112,10 @@ void NetAnnealing::choose_swap() {
 std::int64_t NetAnnealing::move() {
   ++moves_;
   choose_swap();
-  const std::int64_t touched = layout_->selected_size();
+  const bool overlaps = layout_->try_flat(join_, 0) > 0;
+  const std::int64_t touched = layout_->trial_cost();
   std::int64_t work = 1 + touched / 4;
-  if (layout_->try_flat(join_, 0) > 0) return work;
+  if (overlaps) return work;
   const double limit = cost_->cost() - temperature() * std::log(1 - random_.uniform());
   const TreeSwap swap = {layout_->tree().cut(), join_, layout_->tree().selected(),
                          layout_->flat().trial_motion()};
@@ -140,11 +141,15 @@ std::int64_t NetAnnealing::mend() {
   layout_->path(a, b, path_);
   layout_->select_side(path_[random_.below(static_cast<int>(path_.size()))]);
   const auto joins = layout_->joins();
-  const std::int64_t work = 1 + layout_->selected_size() * (1 + layout_->layer_count()) / 4;
-  if (joins.empty()) return work;
+  const auto work_for = [&](std::int64_t touched) {
+    return 1 + touched * (1 + layout_->layer_count()) / 4;
+  };
+  if (joins.empty()) return work_for(layout_->selected_size());
   join_ = joins[random_.below(static_cast<int>(joins.size()))];
   const int old = layout_->crossing_conflicts();
-  if (layout_->try_flat(join_, 0) > 0 || layout_->try_layers(old) > old) return work;
+  const bool overlaps = layout_->try_flat(join_, 0) > 0;
+  const std::int64_t work = work_for(layout_->trial_cost());
+  if (overlaps || layout_->try_layers(old) > old) return work;
   const TreeSwap swap = {layout_->tree().cut(), join_, layout_->tree().selected(),
                          layout_->flat().trial_motion()};
   cost_->try_swap(swap, std::numeric_limits<double>::infinity());

@@ -23,6 +23,10 @@ constexpr double kLayeredTemperature = 1.7;
 // collisions there can be told apart in between.
 constexpr double kSearchClearance = 0.8;
 
+// Panels that a swap may touch on average before it costs patience: twice what swaps touch where
+// panels have one face each.
+std::int64_t usual_touch(int panels) { return 200 + panels / 4; }
+
 }  // namespace
 
 TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options,
@@ -51,8 +55,10 @@ TreeSearch::State TreeSearch::step(std::int64_t work) {
       note_progress();
     } else {
       // A touched panel costs some tenths of a microsecond in each layer.
-      work -= 1 + move() * (1 + layout_->layer_count()) / 4;
-      if (moves_ - best_move_ > options_.patience) state_ = State::kGaveUp;
+      const std::int64_t touched = move();
+      touched_ += touched;
+      work -= 1 + touched * (1 + layout_->layer_count()) / 4;
+      if (is_out_of_patience()) state_ = State::kGaveUp;
     }
   }
   return state_;
@@ -87,7 +93,12 @@ int TreeSearch::choose_cut() {
   return path_[random_.below(2) == 0 ? at : length - 1 - at];
 }
 
-int TreeSearch::move() {
+bool TreeSearch::is_out_of_patience() const {
+  return moves_ - best_move_ > options_.patience ||
+         touched_ / usual_touch(graph_->panel_count()) > options_.patience;
+}
+
+std::int64_t TreeSearch::move() {
   ++moves_;
   layout_->select_side(choose_cut());
   const auto joins = layout_->joins();
@@ -98,7 +109,7 @@ int TreeSearch::move() {
   const double temperature = options_.temperature * (layers_.empty() ? 1 : kLayeredTemperature);
   const double limit = old - temperature * std::log(1 - random_.uniform());
   const int now = layout_->try_join(join, limit);
-  const int touched = layout_->selected_size();
+  const std::int64_t touched = layout_->trial_cost();
   if (now > limit) return touched;
   layout_->accept();
   if (++accepted_ % kRefreshEvery == 0) layout_->refresh();
@@ -113,6 +124,7 @@ void TreeSearch::note_progress() {
   if (layout_->conflict_count() == 0 && moves_ > 0) layout_->refresh();
   least_conflicts_ = layout_->conflict_count();
   best_move_ = moves_;
+  touched_ = 0;
   note_best();
   if (least_conflicts_ == 0) {
     finish_or_fold();

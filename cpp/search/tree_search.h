@@ -19,7 +19,8 @@ struct TreeSearchOptions {
   /// less.
   double temperature = 2;
   /// Swaps without a new best before the search gives up: tight parts either come down steadily or
-  /// stay stuck, and another seed then helps more than patience.
+  /// stay stuck, and another seed then helps more than patience. Fewer where panels have so many
+  /// faces that each swap costs many times what it usually does.
   std::int64_t patience = 20000;
   int good_enough = 0;  ///< conflicts at which the search is content
   /// Search a net that also folds up straight, with this clearance in mean edge lengths; 0: any net
@@ -73,7 +74,8 @@ class TreeSearch {
   /// Takes a tree to start from if it is the best so far.
   void consider(FoldTree folds);
   /// Makes or refuses one swap; returns its cost in panels touched.
-  int move();
+  std::int64_t move();
+  bool is_out_of_patience() const;
   int choose_cut();
   void note_progress();
   void note_best();
@@ -98,6 +100,7 @@ class TreeSearch {
   std::int64_t moves_ = 0;
   std::int64_t accepted_ = 0;
   std::int64_t best_move_ = 0;
+  std::int64_t touched_ = 0;  ///< panels, since the last new best
   State state_ = State::kRunning;
   std::vector<int> path_;  ///< scratch
 };

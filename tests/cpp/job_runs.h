@@ -35,10 +35,10 @@ struct Outcome {
     return found;
   }
 
-  /// Codes of the notices.
+  /// Codes of the result's notices; what was repaired is told by such events as well.
   std::multiset<std::string> notices() const {
     std::multiset<std::string> codes;
-    for (const Notice& notice : all<Notice>()) codes.insert(notice.code);
+    for (const Notice& notice : result->notices) codes.insert(notice.code);
     return codes;
   }
 };

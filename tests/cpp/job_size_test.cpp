@@ -83,14 +83,15 @@ TEST(JobSize, TurnsTheAxisAskedForUp) {
 }
 
 TEST(JobSize, GuessesWhatIsUpFromTheFormatAndSaysSo) {
-  JobOptions options = sized(Sizing::kHeight, 150, 1);
+  JobOptions options = sized(Sizing::kHeight, 60, 1);
   const Outcome stl = run_file(stl_of(tall_box()), "box.stl", options);
   expect_sound(stl);
   const double scale = stl.result->sheets.scale;
-  EXPECT_LT((extents(stl.result->mesh) * scale - Vec3(90, 150, 60)).norm(), 1e-9);
+  EXPECT_LT((extents(stl.result->mesh) * scale - Vec3(36, 60, 24)).norm(), 1e-9);
   EXPECT_TRUE(has_notice(*stl.result, "up-guessed"));
   const Outcome obj = run(tall_box(), options);
-  EXPECT_NEAR(extents(obj.result->mesh).y() * obj.result->sheets.scale, 150, 1e-9);
+  expect_sound(obj);
+  EXPECT_NEAR(extents(obj.result->mesh).y() * obj.result->sheets.scale, 60, 1e-9);
   EXPECT_NEAR(extents(obj.result->mesh).y(), 40, 1e-9);
   EXPECT_FALSE(has_notice(*obj.result, "up-guessed"));
 }

@@ -95,6 +95,11 @@ TEST(Job, MakesANetOfAMoebiusStrip) {
   const Outcome outcome = run_file(out.str(), "strip.obj", {.parts = 1});
   expect_sound(outcome);
   EXPECT_FALSE(outcome.result->repairs.empty());
+  std::vector<std::string> told;
+  for (const Notice& notice : outcome.all<Notice>()) told.push_back(notice.text);
+  for (const Repair& repair : outcome.result->repairs) {
+    EXPECT_EQ(std::ranges::count(told, repair.text), 1) << repair.text;
+  }
   EXPECT_EQ(outcome.result->segmentation, std::vector<int>(9, 0));
 }
 

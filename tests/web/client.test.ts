@@ -1,11 +1,20 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { runJob } from '../../web/core/client.js';
+import { defaultPatience } from '../../web/core/job-run.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { defaultOptions } from '../../web/model/default-options.js';
 import type { JobEvent } from '../../web/model/job.js';
 import { tetrahedronResult } from './fixtures.js';
-import { deafPort, engineOf, localPort, mortalPort, poolOf, type Script } from './local-pool.js';
+import {
+  busyPort,
+  deafPort,
+  engineOf,
+  localPort,
+  mortalPort,
+  poolOf,
+  type Script,
+} from './local-pool.js';
 
 const done: JobEvent[] = [{ type: 'done', result: tetrahedronResult() }];
 const progress = (value: number): JobEvent => ({ type: 'stage', stage: 'search', progress: value });
@@ -60,6 +69,26 @@ describe('runJob', () => {
     await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
     await expect(next).resolves.toMatchObject({ parts: 1 });
     expect(spawned.count).toBe(2);
+  });
+
+  it('waits for the nets of a worker that is slow to answer a cancel', async () => {
+    const net: JobEvent = { type: 'net', part: 0, piece: 0 };
+    for (const steps of [[[net], [progress(0.5)]], [[progress(0.5)]]]) {
+      const { pool, spawned } = poolOf(1, (listener) =>
+        busyPort(engineOf({ steps }), listener, 3 * defaultPatience),
+      );
+      const control = new AbortController();
+      const heard = new Set<string>();
+      const onEvent = ({ type }: TimedEvent): void => {
+        heard.add(type);
+        control.abort();
+      };
+      const aborted = run(pool, { signal: control.signal, onEvent });
+      await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
+      const hasNets = steps[0]!.includes(net);
+      expect(heard.has('cancelled')).toBe(hasNets);
+      expect([spawned.count, pool.workers.length]).toEqual([1, hasNets ? 1 : 0]);
+    }
   });
 
   it('never starts a job that was aborted before', async () => {

@@ -89,6 +89,18 @@ export function deafPort(): Port {
   return { post: () => undefined, close: () => undefined };
 }
 
+/** A worker that is in a long step when its run ends, and answers that `ms` later. */
+export function busyPort(engine: Engine, listener: PortListener, ms: number): Port {
+  const port = localPort(engine, listener);
+  return {
+    post(request, transfer) {
+      if (request.type === 'end') setTimeout(() => port.post(request, transfer), ms);
+      else port.post(request, transfer);
+    },
+    close: () => port.close(),
+  };
+}
+
 /** A worker that dies of the first request for which `isDeadly`. */
 export function mortalPort(
   engine: Engine,

@@ -14,10 +14,14 @@ export class ProgressPanel {
   private state = new ProgressWords();
 
   constructor(onCancel: () => void) {
-    this.cancel.addEventListener('click', onCancel);
+    const stop = (): void => {
+      this.words.textContent = 'Stopping. What is finished is kept.';
+      onCancel();
+    };
+    this.cancel.addEventListener('click', stop);
     document.addEventListener('keydown', (event) => {
       // In a field it closes a list, or takes back what was written.
-      if (event.key === 'Escape' && !this.card.hidden && !isForField(event)) onCancel();
+      if (event.key === 'Escape' && !this.card.hidden && !isForField(event)) stop();
     });
   }
 

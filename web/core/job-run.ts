@@ -16,6 +16,12 @@ export interface RunListener {
 export const defaultPatience = 80;
 
 /**
+ * How long a conductor that has nets may take to hand them over when its run ends, in ms. Laying the
+ * nets of the largest models on sheets in a hurry takes some seconds, and they took minutes to find.
+ */
+const patienceForNets = 30_000;
+
+/**
  * One job on its way through the workers of a pool, as the main thread sees it: passes messages on
  * between the conductor and its helpers, and replaces helpers that die.
  */
@@ -31,6 +37,8 @@ export class JobRun implements PoolListener {
   /** Workers that hold something of the job. */
   private readonly engaged = new Set<number>();
   private settle: (() => void) | null = null;
+  /** Whether the conductor has told of a net, which is worth waiting for. */
+  private hasNets = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /**
@@ -53,18 +61,26 @@ export class JobRun implements PoolListener {
 
   /**
    * Frees what all workers hold of the job and then calls `settle`, within the patience that there
-   * is: who does not answer by then is thrown away. Only the first call counts.
+   * is: who does not answer by then is thrown away. A conductor that has nets gets as long as it
+   * takes to hand them over. Only the first call counts.
    */
   end(settle: () => void): void {
     if (this.settle) return;
     this.settle = settle;
     for (const worker of this.engaged) this.pool.post(worker, { type: 'end', job: this.job });
     this.timer = setTimeout(() => {
-      for (const worker of this.engaged) this.pool.discard(worker);
-      this.engaged.clear();
-      this.settleIfFree();
+      const isAwaited = this.hasNets && this.engaged.has(this.conductor);
+      for (const helper of this.engaged) {
+        if (!isAwaited || helper !== this.conductor) this.throwAway(helper);
+      }
+      if (isAwaited) this.timer = setTimeout(() => this.throwAway(this.conductor), patienceForNets);
     }, this.patience);
     this.settleIfFree();
+  }
+
+  private throwAway(worker: number): void {
+    this.pool.discard(worker);
+    this.free(worker);
   }
 
   onAnswer(worker: number, answer: Answer): void {
@@ -130,6 +146,7 @@ export class JobRun implements PoolListener {
       if (this.settle) return;
       // After the last event the conductor frees everything by itself.
       if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
+      if (event.type === 'net') this.hasNets = true;
       this.listener.onEvent(event);
     }
   }
