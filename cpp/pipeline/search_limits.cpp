@@ -12,8 +12,19 @@ namespace {
 constexpr int kAttemptsOfPart = 3;
 constexpr int kAttemptsOfWhole = 12;
 
-// The same where nobody asked for one piece: two will do, and come sooner.
-constexpr int kAttemptsOfFreeWhole = 4;
+// The same where panels have so many faces, as the flat sides of machine parts do, that each
+// attempt takes many times as long.
+constexpr int kAttemptsOfHeavy = 4;
+constexpr double kHeavyFaces = 3;  // per panel
+
+bool is_heavy(const JobState& state, const Region& region) {
+  const DualGraph& graph = state.components[region.component].graph;
+  double faces = 0;
+  for (const int panel : region.panels) {
+    faces += static_cast<double>(graph.panel_faces(panel).size());
+  }
+  return faces > kHeavyFaces * static_cast<double>(region.panels.size());
+}
 
 // The same of a large region that has a net: two more attempts at one that folds straight take half
 // the time again, and cure one part in 120.
@@ -64,7 +75,17 @@ int attempts_for(const JobState& state, const Region& region, bool has_net) {
   if (state.options.solver == Solver::kGenetic) return kEvolutions;
   if (has_net && is_too_large_to_plan(state, region)) return kAttemptsOfLarge;
   if (!is_component(state, region) || has_net) return kAttemptsOfPart;
-  return state.options.parts == 0 ? kAttemptsOfFreeWhole : kAttemptsOfWhole;
+  return attempts_at_last(state, region);
+}
+
+int attempts_at_last(const JobState& state, const Region& region) {
+  return is_heavy(state, region) ? kAttemptsOfHeavy : kAttemptsOfWhole;
+}
+
+bool deserves_last_attempts(const JobState& state, const Region& region,
+                            const Candidate& candidate) {
+  return state.options.solver == Solver::kTree && !candidate.is_net() &&
+         !is_far_from_net(region, candidate) && region.panels.size() <= kLargeRegion;
 }
 
 std::int64_t patience_for(const Region& region) {

@@ -30,6 +30,14 @@ bool is_too_large_to_plan(const JobState& state, const Region& region);
 /// one is planned a motion for sooner than searched anew.
 int attempts_for(const JobState& state, const Region& region, bool has_net);
 
+/// Seeds that a whole component gets, and a part before it is cut: in time for a few more attempts
+/// than one gets before its borders are moved.
+int attempts_at_last(const JobState& state, const Region& region);
+
+/// Whether a part without a net, which no other borders have cured, gets these attempts.
+bool deserves_last_attempts(const JobState& state, const Region& region,
+                            const Candidate& candidate);
+
 /// Swaps without a new best before a search of the region gives up.
 std::int64_t patience_for(const Region& region);
 

@@ -33,7 +33,8 @@ struct Search {
   std::uint64_t key = 0;  ///< names the region in its seeds
   int attempt = 0;
   Candidate best;
-  FoldTree initial;  ///< tree that the first attempt starts from; empty: from heuristics
+  FoldTree initial;      ///< tree that the first attempt starts from; empty: from heuristics
+  bool at_last = false;  ///< its borders stand still, and what these attempts do not solve is cut
 };
 
 /// The region itself names its searches in their seeds, since regions come up in any order.
@@ -197,7 +198,7 @@ class SearchStage : public Stage {
       give_in(state, queue, std::move(search), events);
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
-    } else if (++search.attempt < attempts_for(state, search.region, best.is_net()) &&
+    } else if (++search.attempt < attempts_of(state, search) &&
                !is_hopeless(state, search.region, best)) {
       queue_attempt(state, queue, std::move(search));
     } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
@@ -207,6 +208,11 @@ class SearchStage : public Stage {
     } else {
       unsolved(state, queue, std::move(search), events);
     }
+  }
+
+  static int attempts_of(const JobState& state, const Search& search) {
+    return search.at_last ? attempts_at_last(state, search.region)
+                          : attempts_for(state, search.region, search.best.is_net());
   }
 
   /// Looks for a motion of a net that does not fold straight.
@@ -229,7 +235,7 @@ class SearchStage : public Stage {
 
   /// A region that has no net, or none that folds.
   void unsolved(JobState& state, TaskQueue& queue, Search search, Events& events) {
-    if (is_exchangeable(state, search.region)) {
+    if (is_exchangeable(state, search.region) && !search.at_last) {
       trees_->leave_open(std::move(search.region), std::move(search.best));
     } else {
       give_in(state, queue, std::move(search), events);
@@ -239,7 +245,7 @@ class SearchStage : public Stage {
   /// Planning takes longest where a part is far from folding: other borders are the better way.
   bool is_for_regrouping(const JobState& state, const Search& search) const {
     const Region& region = search.region;
-    return is_exchangeable(state, region) && is_far_from_motion(search.best) &&
+    return !search.at_last && is_exchangeable(state, region) && is_far_from_motion(search.best) &&
            trees_->may_regroup(region.part);
   }
 
@@ -259,10 +265,20 @@ class SearchStage : public Stage {
     }
   }
 
-  /// After the last exchange borders stand still, and what it did not cure gives in.
+  /// After the last exchange borders stand still, and what it did not cure is tried from more seeds
+  /// or gives in.
   void give_in_to_rest(JobState& state, TaskQueue& queue, Events& events) {
     for (auto& [part, candidate] : trees_->take_uncured()) {
-      give_in(state, queue, {trees_->region(state, part), 0, 0, std::move(candidate), {}}, events);
+      Search search{trees_->region(state, part), 0, 0, std::move(candidate), {}};
+      if (!deserves_last_attempts(state, search.region, search.best)) {
+        give_in(state, queue, std::move(search), events);
+        continue;
+      }
+      examine(state, search.region);
+      search.key = key_of(search.region);
+      search.attempt = attempts_for(state, search.region, false);
+      search.at_last = true;
+      queue_attempt(state, queue, std::move(search));
     }
   }
 
