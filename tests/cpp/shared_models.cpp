@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "mesh/read_model.h"
 
@@ -12,8 +13,13 @@ namespace foldwright::testing {
 namespace fs = std::filesystem;
 
 fs::path shared_folder() {
-  if (const char* folder = std::getenv("FOLDWRIGHT_SHARED")) return folder;
-  return FOLDWRIGHT_SHARED;
+  const char* set = std::getenv("FOLDWRIGHT_SHARED");
+  fs::path folder = set != nullptr ? set : FOLDWRIGHT_SHARED;
+  // Tests must not vanish there.
+  if (std::getenv("CI") != nullptr && !fs::exists(folder)) {
+    throw std::runtime_error("CI is set, but " + folder.string() + " is missing");
+  }
+  return folder;
 }
 
 std::vector<fs::path> files_below(const char* folder) {

@@ -14,6 +14,7 @@ inline constexpr const char* kNoSharedModels =
     "no shared models: set FOLDWRIGHT_SHARED to their folder";
 
 /// The folder of shared models: the environment goes before the build's own setting.
+/// \throw std::runtime_error when it is missing and CI is set: tests must not vanish there
 std::filesystem::path shared_folder();
 
 /// Files below a folder of the shared models, in a fixed order; none when it is missing.

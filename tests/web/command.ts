@@ -7,8 +7,14 @@ import { fileURLToPath } from 'node:url';
 
 const script = fileURLToPath(new URL('../../dist/cli/foldwright.js', import.meta.url));
 
+/** Where tests must not vanish: what they need is there, or they fail. */
+function required<Found>(found: Found | null, what: string): Found | null {
+  if (found === null && process.env['CI']) throw new Error(`CI is set, but ${what} is missing`);
+  return found;
+}
+
 /** `npm test` builds it first; a bare run of the tests may not have it. */
-export const isBuilt = existsSync(script);
+export const isBuilt = required(existsSync(script) || null, 'the built command') !== null;
 
 export interface Ended {
   /** Exit status, or null if a signal or the time limit ended it. */
@@ -58,5 +64,6 @@ export async function inFolder<Result>(work: (folder: string) => Promise<Result>
 export function sharedFolder(): string | null {
   const here = fileURLToPath(new URL('../../../shared', import.meta.url));
   const folder = process.env['FOLDWRIGHT_SHARED'] ?? here;
-  return existsSync(join(folder, 'models')) ? folder : null;
+  const found = existsSync(join(folder, 'models')) ? folder : null;
+  return required(found, 'the folder of shared models');
 }
