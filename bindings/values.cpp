@@ -211,6 +211,7 @@ val piece_value(const Piece& piece, int id, const Placement& place) {
   object.set("flaps", flaps_value(piece.flaps));
   object.set("labels", list(piece.labels, label_value));
   object.set("tapeMarks", doubles(coordinates_of(piece.tape_marks)));
+  object.set("jointLines", doubles(coordinates_of(piece.joint_lines)));
   object.set("sheet", place.sheet);
   object.set("x", place.x);
   object.set("y", place.y);

@@ -8,6 +8,12 @@
 
 namespace foldwright {
 
+/// A border edge that lies on another edge, to which it is glued although no face of the one
+/// continues the other: see `find_joints`. Indices of edges.
+struct Joint {
+  int edge, host;
+};
+
 /// Triangle mesh with the connectivity that unfolding needs; plain data, never edited in place.
 ///
 /// Guaranteed by `make_mesh`: every edge has one or two faces, two faces of an edge run along it in
@@ -26,6 +32,7 @@ struct Mesh {
   std::vector<std::array<int, 3>> face_edges;  ///< [f][i]: edge from corner i to corner i + 1
   std::vector<int> components;                 ///< per face: its edge-connected component, from 0
   int component_count = 0;
+  std::vector<Joint> joints;  ///< by edge; of repaired models, empty in parts of them
 
   int face_count() const { return static_cast<int>(faces.size()); }
   int vertex_count() const { return static_cast<int>(positions.size()); }

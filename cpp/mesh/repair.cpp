@@ -14,6 +14,7 @@
 #include "mesh/flatten_planes.h"
 #include "mesh/input_error.h"
 #include "mesh/join_faces.h"
+#include "mesh/joints.h"
 #include "mesh/merge_sides.h"
 #include "mesh/orient.h"
 #include "mesh/split_nonmanifold.h"
@@ -301,6 +302,7 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   make_manifold(triangles, model);
   flatten_faces(triangles, frame, model);
   model.mesh = finished_mesh(std::move(triangles), frame);
+  model.mesh.joints = find_joints(model.mesh);
 
   report_shape(model, options);
   return model;

@@ -1,6 +1,7 @@
 #include "paper/flaps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -93,7 +94,7 @@ class FlapPlacer {
 
   FlapPlan place() {
     for (const int i : by_scarcity()) serve(i);
-    if (options_.borders) serve_borders();
+    if (options_.borders || !mesh_.joints.empty()) serve_borders();
     for (auto& flaps : plan_.flaps) {
       std::ranges::sort(flaps, {}, [](const Flap& flap) { return flap.edge; });
     }
@@ -172,6 +173,8 @@ class FlapPlacer {
   void serve_borders() {
     for (const SeamSide& side : find_borders(mesh_, nets_)) {
       const int edge = nets_[side.net].edges[side.edge].mesh_edge;
+      const bool stands = options_.side != FlapSide::kNone && is_joint(edge);
+      if (!options_.borders && !stands) continue;
       const auto chosen = choices_.find(edge);
       // A border has its only face on the left.
       if (chosen != choices_.end() && chosen->second != EdgeFlaps::kBoth &&
@@ -187,12 +190,42 @@ class FlapPlacer {
 
   void add_flap(int mesh_edge, const SeamSide& side, const Trapezoid& shape) {
     const std::vector<Vec2> corners = flap_corners(side, shape);
-    const bool is_border = mesh_.edges[mesh_edge].faces[1] == -1;
     plan_.flaps[side.net].push_back({side.edge,
                                      {corners[0], corners[1], corners[2], corners[3]},
                                      shape.height,
-                                     is_border ? 0 : fold_angle(mesh_, mesh_edge)});
+                                     angle_at(mesh_edge)});
     room_.take(side, shape);
+  }
+
+  bool is_joint(int mesh_edge) const {
+    return std::ranges::binary_search(mesh_.joints, mesh_edge, {}, &Joint::edge);
+  }
+
+  /// By which the base of a flap at this edge folds.
+  double angle_at(int mesh_edge) const {
+    if (mesh_.edges[mesh_edge].faces[1] != -1) return fold_angle(mesh_, mesh_edge);
+    const auto joint = std::ranges::lower_bound(mesh_.joints, mesh_edge, {}, &Joint::edge);
+    if (joint == mesh_.joints.end() || joint->edge != mesh_edge) return 0;
+    return angle_onto(joint->edge, joint->host);
+  }
+
+  /// By which a flap at a border edge folds until it lies on the first face of its host: valley
+  /// positive.
+  double angle_onto(int edge, int host) const {
+    const Mesh::Edge& foot = mesh_.edges[edge];
+    const Vec3& from = mesh_.positions[foot.vertices[0]];
+    const Vec3 along = (mesh_.positions[foot.vertices[1]] - from).normalized();
+    const auto away = [&](int face) {
+      const auto& corners = mesh_.faces[face];
+      Vec3 middle = Vec3::Zero();
+      for (const int v : corners) middle += mesh_.positions[v] / 3;
+      const Vec3 across = middle - from;
+      return Vec3((across - along.dot(across) * along).normalized());
+    };
+    const Vec3 inwards = away(foot.faces[0]);
+    const Vec3 onto = away(mesh_.edges[host].faces[0]);
+    // The face lies on the left of its edge.
+    return std::atan2(onto.dot(along.cross(inwards)), -onto.dot(inwards));
   }
 
   void count(const Seam& seam, const Wish& wish, double height) {

@@ -58,7 +58,7 @@ struct FlapCounts {
   int wanted = 0;
   int full = 0, shrunk = 0;                      ///< by the better side
   double wanted_length = 0, missing_length = 0;  ///< mm
-  int borders = 0;                               ///< flaps on open borders
+  int borders = 0;                               ///< flaps on open borders, at joints or asked for
 };
 
 struct FlapPlan {
@@ -73,9 +73,10 @@ struct FlapPlan {
 /// other flap of its net. Edges with little room come first, since room only shrinks; each gets the
 /// highest flap that fits, on the side where it is higher. `nets`: in millimetres, free of
 /// overlaps; angles come from `mesh`. Edges with a face in none of the nets get no flap.
-/// `keep_off`: per net further convex polygons that flaps must not overlap; or empty.
-/// Time: n log n in the cut edges for faces of about equal size.
-/// \throw InputError if a choice names an edge that the mesh has not
+/// Where the mesh has joints, what stands there gets a flap to be glued by, which folds until it
+/// lies on the host's first face. `keep_off`: per net further convex polygons that flaps must not
+/// overlap; or empty. Time: n log n in the cut edges for faces of about equal size. \throw
+/// InputError if a choice names an edge that the mesh has not
 FlapPlan place_flaps(const Mesh& mesh, std::span<const Net> nets, const FlapOptions& options,
                      std::span<const std::vector<std::vector<Vec2>>> keep_off = {});
 

@@ -141,6 +141,9 @@ class Writer {
     return true;
   }
 
+  /// Keeps texts off a line.
+  void keep_off(const Stroke& line) { space_.take(line); }
+
   const LabelSpace& space() const { return space_; }
   std::vector<Label> take() { return std::move(labels_); }
 
@@ -208,6 +211,18 @@ void Writer::write_name(const Net& net, const std::string& name) {
   }
 }
 
+/// The line to be drawn where something stands on a side; none where a fold or a cut is drawn
+/// there.
+std::optional<Stroke> joint_line(std::span<const Net> nets, const SeamSide& host) {
+  constexpr double kDrawn = 3 * std::numbers::pi / 180;  // folds flatter than this are not
+  constexpr double kInset = 0.3;                         // mm, so that it ends on the paper
+  const NetEdge& edge = nets[host.net].edges[host.edge];
+  const bool is_drawn = edge.assignment == Assignment::kCut || std::abs(edge.angle) >= kDrawn;
+  if (is_drawn || host.length() < 3 * kInset) return std::nullopt;
+  const Vec2 inset = kInset * (host.to - host.from) / host.length();
+  return Stroke{host.from + inset, host.to - inset};
+}
+
 Band inside_band(const SeamSide& side) {
   const Vec2 along = (side.to - side.from).normalized();
   return {side.from, along, Vec2(-along.y(), along.x()), side.length(), 0};
@@ -229,6 +244,7 @@ class LabelPlacer::Work {
  public:
   explicit Work(const LabelTask& task) : task_(task), seams_(find_seams(task.nets)) {
     numbers_ = number_seams(task.nets, seams_);
+    add_joints();
     written_.resize(seams_.size());
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
       for (const int s : {0, 1}) open_.push_back({i, s});
@@ -242,6 +258,7 @@ class LabelPlacer::Work {
     if (writers_.size() < task_.nets.size()) {
       const std::size_t n = writers_.size();
       writers_.emplace_back(task_.nets[n], task_.flaps[n]);
+      for (const Stroke& line : plan_.joint_lines[n]) writers_[n].keep_off(line);
       writers_[n].write_name(task_.nets[n], task_.names[n]);
       return false;
     }
@@ -265,6 +282,18 @@ class LabelPlacer::Work {
   struct Side {
     int seam, side;
   };
+
+  void add_joints() {
+    plan_.joint_lines.resize(task_.nets.size());
+    for (const Seam& joint : task_.joints) {
+      seams_.push_back(joint);
+      numbers_.push_back(static_cast<int>(seams_.size()));
+      const SeamSide& host = joint.sides[1];
+      if (const auto line = joint_line(task_.nets, host)) {
+        plan_.joint_lines[host.net].push_back(*line);
+      }
+    }
+  }
 
   char& is_written(const Side& at) { return written_[at.seam][at.side]; }
 

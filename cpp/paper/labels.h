@@ -35,6 +35,8 @@ struct LabelPlan {
   /// Per net: pairs of short strokes over the edges to be joined by tape, at the same place of both
   /// sides.
   std::vector<std::vector<Stroke>> tape_marks;
+  /// Per net: lines in its flat panels where something stands.
+  std::vector<std::vector<Stroke>> joint_lines;
 };
 
 /// Name of a piece from its index: A, B, .. Z, AA, AB, .. as in the columns of a sheet.
@@ -49,7 +51,8 @@ struct LabelTask {
   std::span<const std::vector<Flap>> flaps;  ///< per net
   std::span<const std::string> names;        ///< per net
   IdPlace place = IdPlace::kBoth;
-  std::span<const int> tape = {};  ///< mesh edges to mark for tape, ascending
+  std::span<const int> tape = {};     ///< mesh edges to mark for tape, ascending
+  std::span<const Seam> joints = {};  ///< of the nets, see `find_joint_seams`
 };
 
 /// Names pieces, writes the same number at both sides of each cut edge between two faces, and marks
@@ -58,7 +61,8 @@ struct LabelTask {
 /// Texts of ids lie along their edge, as large as it allows, short edges first; where another piece
 /// is met they name it (`C:17`) if there is room. What does not fit beside its edge stands near by,
 /// with a line that leads to the edge. No text touches a line that is drawn, or another text.
-/// Numbers count along the outlines, piece by piece.
+/// Numbers count along the outlines, piece by piece, and after those the joints. Where a joint's
+/// host shows no line a line is drawn.
 class LabelPlacer {
  public:
   /// What the task refers to must outlive the placer.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace foldwright {
@@ -17,15 +18,15 @@ std::map<std::pair<int, int>, std::pair<int, int>> directed_edges(const Net& net
   return edges;
 }
 
-/// Calls `visit` with every side of a cut.
-template <class Visit>
-void for_cuts(std::span<const Net> nets, Visit&& visit) {
+/// Calls `visit` with a side of every edge that `wants` takes; of a cut with both.
+template <class Wants, class Visit>
+void for_sides(std::span<const Net> nets, Wants&& wants, Visit&& visit) {
   for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
     const Net& net = nets[n];
     const auto faces = directed_edges(net);
     for (int e = 0; e < static_cast<int>(net.edges.size()); ++e) {
       const NetEdge& edge = net.edges[e];
-      if (edge.assignment != Assignment::kCut) continue;
+      if (!wants(edge)) continue;
       const auto& [from, to] = edge.vertices;
       const auto [face, corner] = faces.at({from, to});
       const int third = net.corners[face][(corner + 2) % 3];
@@ -33,6 +34,8 @@ void for_cuts(std::span<const Net> nets, Visit&& visit) {
     }
   }
 }
+
+bool is_cut(const NetEdge& edge) { return edge.assignment == Assignment::kCut; }
 
 }  // namespace
 
@@ -48,7 +51,7 @@ Vec2 SeamSide::global(const Vec2& p) const {
 
 std::vector<Seam> find_seams(std::span<const Net> nets) {
   std::map<int, std::vector<SeamSide>> sides;  // by mesh edge
-  for_cuts(nets, [&](const SeamSide& side) {
+  for_sides(nets, is_cut, [&](const SeamSide& side) {
     sides[nets[side.net].edges[side.edge].mesh_edge].push_back(side);
   });
   std::vector<Seam> seams;
@@ -58,9 +61,29 @@ std::vector<Seam> find_seams(std::span<const Net> nets) {
   return seams;
 }
 
+std::vector<Seam> find_joint_seams(const Mesh& mesh, std::span<const Net> nets) {
+  if (mesh.joints.empty()) return {};
+  std::map<int, SeamSide> sides;  // by mesh edge; of a cut the first one
+  std::set<int> wanted;
+  for (const auto& [edge, host] : mesh.joints) wanted.insert({edge, host});
+  for_sides(
+      nets, [&](const NetEdge& edge) { return wanted.contains(edge.mesh_edge); },
+      [&](const SeamSide& side) {
+        sides.emplace(nets[side.net].edges[side.edge].mesh_edge, side);
+      });
+  std::vector<Seam> joints;
+  for (const auto& [edge, host] : mesh.joints) {
+    const auto stands = sides.find(edge);
+    const auto on = sides.find(host);
+    if (stands == sides.end() || on == sides.end()) continue;
+    joints.push_back({edge, {stands->second, on->second}});
+  }
+  return joints;
+}
+
 std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets) {
   std::vector<SeamSide> borders;
-  for_cuts(nets, [&](const SeamSide& side) {
+  for_sides(nets, is_cut, [&](const SeamSide& side) {
     const int edge = nets[side.net].edges[side.edge].mesh_edge;
     if (mesh.edges[edge].faces[1] == -1) borders.push_back(side);
   });

@@ -32,6 +32,11 @@ struct Seam {
 /// side, and are none. Takes n log n.
 std::vector<Seam> find_seams(std::span<const Net> nets);
 
+/// What the joints of the mesh glue together: the border edge first, then its host, which may be a
+/// fold, a side of a cut, or within a flat panel. By joint; those with a side in none of the nets
+/// are left out.
+std::vector<Seam> find_joint_seams(const Mesh& mesh, std::span<const Net> nets);
+
 /// The sides of open borders of the mesh, by net, then edge.
 std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets);
 

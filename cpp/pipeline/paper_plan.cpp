@@ -158,7 +158,9 @@ void PaperPlanner::lay_strips() {
 
 void PaperPlanner::begin_labels() {
   const PaperDraft& draft = plan_.draft;
-  labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_});
+  joints_ = find_joint_seams(state_.surface->mesh, draft.flat);
+  labels_.emplace(
+      LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_, joints_});
   phase_ = Phase::kLabels;
   progress_ = 0.8;
 }

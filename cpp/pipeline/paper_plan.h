@@ -58,7 +58,8 @@ class PaperPlanner {
   } range_;
   std::optional<PaperDrafter> drafter_;
   std::optional<LabelPlacer> labels_;
-  std::vector<int> tape_;  ///< mesh edges to mark, ascending
+  std::vector<int> tape_;     ///< mesh edges to mark, ascending
+  std::vector<Seam> joints_;  ///< as the nets lie on their sheets
   PaperPlan plan_;
 };
 

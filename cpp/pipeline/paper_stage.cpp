@@ -128,6 +128,17 @@ void add_size_notices(JobState& state) {
   }
 }
 
+/// What is glued although no face continues it.
+void add_joint_notice(JobState& state) {
+  const std::size_t count = state.surface->mesh.joints.size();
+  if (count == 0) return;
+  const bool has_ids = state.options.ids != IdPlace::kNone;
+  state.notices.push_back(
+      {"joints", std::to_string(count) + (count == 1 ? " edge is" : " edges are") +
+                     " glued to faces that " + (count == 1 ? "it does" : "they do") +
+                     " not continue" + (has_ids ? ": look for the same number there" : "")});
+}
+
 void add_pin_notice(JobState& state, int lost) {
   if (lost == 0) return;
   state.notices.push_back(
@@ -174,6 +185,7 @@ class PaperStage : public Stage {
       result.nets.push_back(save_net(state.components[net.region.component], net));
     }
     add_size_notices(state);
+    add_joint_notice(state);
     add_pin_notice(state, draft.lost_pins);
     add_neck_notice(state);
     add_unchecked_notices(state, draft.nets);
@@ -205,6 +217,7 @@ class PaperStage : public Stage {
     piece.flaps = std::move(draft.flaps.flaps[i]);
     piece.labels = std::move(plan_->labels.labels[i]);
     piece.tape_marks = std::move(plan_->labels.tape_marks[i]);
+    piece.joint_lines = std::move(plan_->labels.joint_lines[i]);
   }
 
   std::optional<PaperPlanner> planner_;

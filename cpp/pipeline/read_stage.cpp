@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "mesh/input_error.h"
+#include "mesh/joints.h"
 #include "mesh/nearest_face.h"
 #include "mesh/read_model.h"
 #include "mesh/simplify.h"
@@ -52,6 +53,12 @@ Mesh simplified(JobState& state) {
   if (wanted == 0 || mesh.face_count() <= wanted) return mesh;
   Mesh simple = simplify(mesh, {.target_faces = wanted});
   state.face_standins = nearest_faces(mesh, simple);
+  simple.joints = find_joints(simple);
+  if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
+    state.notices.push_back({"joints-lost", counted(lost, "edge") +
+                                                " that stood on other faces came loose when the "
+                                                "model was simplified: glue by sight"});
+  }
   if (simple.face_count() > wanted) {
     state.notices.push_back({"faces-above-wish", "simplifying stopped at " +
                                                      std::to_string(simple.face_count()) +

@@ -52,6 +52,7 @@ void add_piece(Dump& dump, const Piece& piece, const Placement& place) {
   }
   for (const Label& label : piece.labels) add_label(dump, label);
   for (const Stroke& mark : piece.tape_marks) dump.add(mark.from), dump.add(mark.to);
+  for (const Stroke& line : piece.joint_lines) dump.add(line.from), dump.add(line.to);
   dump.add(static_cast<int>(piece.motion.kind));
   dump.add(piece.motion.root);
   dump.add(piece.motion.times);

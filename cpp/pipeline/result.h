@@ -42,6 +42,7 @@ struct Piece {
   std::vector<Flap> flaps = {};
   std::vector<Label> labels = {};
   std::vector<Stroke> tape_marks = {};
+  std::vector<Stroke> joint_lines = {};  ///< where other pieces stand on its flat panels
   NetCheck check = {};
   PieceMotion motion = {};
   std::vector<std::vector<int>> outlines = {};  ///< see `boundary_walks`

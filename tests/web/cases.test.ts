@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { foldwright, inFolder, isBuilt, sharedFolder } from './command.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
+import { readSheet } from './sheet-file.js';
 
 interface CaseReport {
   model: { faces: number; components: number; repairs: { code: string; count: number }[] };
@@ -43,7 +44,7 @@ async function unfold(name: string, ...args: string[]): Promise<CaseRun> {
 /** A box by its triangles, its pieces and its extents in ascending order, the longest one 1. */
 function expectBox({ report }: CaseRun, shape: number[]): void {
   expect([report.model.faces, report.model.components, report.pieces.length]).toEqual([12, 1, 1]);
-  const extents = report.size_mm.toSorted((a, b) => a - b);
+  const extents = [...report.size_mm].sort((a, b) => a - b);
   for (const [i, share] of shape.entries()) expect(extents[i]! / extents[2]!).toBeCloseTo(share, 4);
 }
 
@@ -154,6 +155,30 @@ describe.skipIf(sharedFolder() === null || !isBuilt)('a case that people reporte
     const whole = await unfold('plate_keyhole.obj', '--parts', '1');
     expect(report.pieces.length).toBeLessThanOrEqual(whole.report.pieces.length);
   });
+
+  it('cube_with_fin says where the fin is glued', () =>
+    inFolder(async (out) => {
+      const [svg, path] = [join(out, 'out.svg'), join(out, 'report.json')];
+      const args = [join(folder, 'cube_with_fin.obj'), '-o', svg, '--report', path];
+      const { status, stderr } = await foldwright(args);
+      expect(status).toBe(0);
+      expect(stderr).toContain('1 edge is glued to faces that it does not continue');
+      const { files, ids } = JSON.parse(readFileSync(path, 'utf8')) as {
+        files: string[];
+        ids: { printed: number; skipped: number[] };
+      };
+      expect(ids.skipped).toEqual([]);
+      const drawn = files.filter((file) => file.endsWith('.svg'));
+      const sheets = drawn.map((file) => readSheet(readFileSync(file, 'utf8')));
+      const pieces = sheets.flatMap((sheet) => [...sheet.pieces.values()]);
+      const named = pieces.map(({ texts }) =>
+        texts.map(({ text }) => text.replace(/^.*:/, '')).includes(String(ids.printed)),
+      );
+      expect(named, 'the number of the joint, the last one, is on both pieces').toEqual([
+        true,
+        true,
+      ]);
+    }));
 
   it('terrain_utm is an open relief in few pieces', async () => {
     const { report, repairs } = await unfold('terrain_utm.obj');

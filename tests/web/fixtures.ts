@@ -165,6 +165,7 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
     labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
     tapeMarks: new Float64Array(),
+    jointLines: new Float64Array(),
     sheet: 0,
     x: 10,
     y: 10,

@@ -115,9 +115,9 @@ function lineOf({ text, x, y, angle, size }: PieceLabel, dx = 0, dy = 0): TextLi
   return centredLine({ text, x: x + dx, y: y + dy, angle, size });
 }
 
-function drawGuides({ labels, tapeMarks, x, y }: Piece): Segment[] {
+function drawGuides({ jointLines, labels, tapeMarks, x, y }: Piece): Segment[] {
   const leaders = labels.flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
-  return [...leaders, ...segmentsOf(tapeMarks, x, y)];
+  return [...leaders, ...segmentsOf(tapeMarks, x, y), ...segmentsOf(jointLines, x, y)];
 }
 
 function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing {

@@ -232,6 +232,8 @@ export interface Piece {
   labels: PieceLabel[];
   /** Short strokes across edges to be joined by tape; x and y of both ends of each. */
   tapeMarks: Float64Array;
+  /** Lines in its flat panels where other pieces stand on it; x and y of both ends of each. */
+  jointLines: Float64Array;
   /** Place: the sheet, and where on it (0, 0) of the piece lies, from the sheet's lower left. */
   sheet: number;
   x: number;
