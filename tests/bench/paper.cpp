@@ -103,7 +103,7 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   bool fits = true;
   for (std::size_t i = 0; i < prints.size(); ++i) {
     areas[result.pieces[i].part] += prints[i].face_area;
-    fits = fits && fits_somehow(prints[i].points(), room);
+    fits = fits && fits_somehow(prints[i], room);
   }
   m.values["too_large"] = fits ? 0 : 1;
   double needed = 0;
