@@ -96,20 +96,24 @@ test('a measured printer is corrected, said so, and remembered', () =>
   }));
 
 test('fonts come only when letters need them', () =>
-  withStudio(async (studio) => {
-    await unfold(studio, 'house');
-    expect(fontsOf(studio)).toEqual([]);
-    await studio.download('PDF');
-    expect(fontsOf(studio)).toHaveLength(1);
+  withStudio(
+    // The service worker would bring all of them for later.
+    async (studio) => {
+      await unfold(studio, 'house');
+      expect(fontsOf(studio)).toEqual([]);
+      await studio.download('PDF');
+      expect(fontsOf(studio)).toHaveLength(1);
 
-    await unfold(studio, '折り紙 🐳');
-    expect(fontsOf(studio).some((name) => name.includes('biz-udpgothic'))).toBe(true);
-    expect(fontsOf(studio).length).toBeLessThan(6);
-    expect(await studio.page.locator('#remarks').innerText()).toContain('No font has 🐳');
-    const outlines = studio.page.locator('.sheet [data-text="折り紙 🐳"]');
-    expect(await outlines.count()).toBeGreaterThan(0);
-    const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
-    expect(pages[0]!.texts.map(({ text }) => text).join('')).toContain('折り紙');
-    await studio.picture('print-2-japanese');
-    expect(studio.complaints).toEqual([]);
-  }));
+      await unfold(studio, '折り紙 🐳');
+      expect(fontsOf(studio).some((name) => name.includes('biz-udpgothic'))).toBe(true);
+      expect(fontsOf(studio).length).toBeLessThan(6);
+      expect(await studio.page.locator('#remarks').innerText()).toContain('No font has 🐳');
+      const outlines = studio.page.locator('.sheet [data-text="折り紙 🐳"]');
+      expect(await outlines.count()).toBeGreaterThan(0);
+      const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
+      expect(pages[0]!.texts.map(({ text }) => text).join('')).toContain('折り紙');
+      await studio.picture('print-2-japanese');
+      expect(studio.complaints).toEqual([]);
+    },
+    { serviceWorkers: 'block' },
+  ));
