@@ -9,7 +9,9 @@ const withStudio = useStudio();
 
 const slider = (page: Page) => page.locator('#folding-time');
 
+/** In two parts, so that there is something to be joined. */
 async function open(studio: StudioPage, sample = 'Heart'): Promise<void> {
+  await studio.page.fill('#parts', '2');
   await studio.chooseSample(sample);
   await studio.resultOf(sample.toLowerCase());
   await studio.drawn('#model-picture');

@@ -48,7 +48,7 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await studio.picture(`${name}-3-searching`);
     expect(await barriers(page)).toEqual([]);
 
-    await page.fill('#parts', '');
+    await page.fill('#parts', '4');
     await page.selectOption('#solver', 'tree');
     await studio.chooseSample('Whale');
     await studio.resultOf('whale');

@@ -78,6 +78,7 @@ test('every file of the build is kept, and a reload with options in the address 
     await studio.keptOffline();
     deployment.stop();
     await studio.page.goto(`${deployment.address}?workers=1`);
+    await studio.page.locator('.sample').first().waitFor();
     const names = await studio.page
       .locator('.sample')
       .evaluateAll((buttons) => buttons.map((button) => (button as HTMLButtonElement).value));

@@ -13,6 +13,7 @@ const withStudio = useStudio();
 test('a sample becomes nets on sheets, and all three files are real', () =>
   withStudio(async (studio) => {
     const { page } = studio;
+    await page.fill('#parts', '2');
     await studio.chooseSample('Heart');
     await studio.resultOf('heart');
     const sheets = await page.locator('.sheet svg').count();
