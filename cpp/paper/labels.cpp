@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "paper/callouts.h"
+#include "paper/joint_line.h"
 #include "paper/outline.h"
 #include "paper/seams.h"
 #include "paper/tape_marks.h"
@@ -211,18 +211,6 @@ void Writer::write_name(const Net& net, const std::string& name) {
   }
 }
 
-/// The line to be drawn where something stands on a side; none where a fold or a cut is drawn
-/// there.
-std::optional<Stroke> joint_line(std::span<const Net> nets, const SeamSide& host) {
-  constexpr double kDrawn = 3 * std::numbers::pi / 180;  // folds flatter than this are not
-  constexpr double kInset = 0.3;                         // mm, so that it ends on the paper
-  const NetEdge& edge = nets[host.net].edges[host.edge];
-  const bool is_drawn = edge.assignment == Assignment::kCut || std::abs(edge.angle) >= kDrawn;
-  if (is_drawn || host.length() < 3 * kInset) return std::nullopt;
-  const Vec2 inset = kInset * (host.to - host.from) / host.length();
-  return Stroke{host.from + inset, host.to - inset};
-}
-
 Band inside_band(const SeamSide& side) {
   const Vec2 along = (side.to - side.from).normalized();
   return {side.from, along, Vec2(-along.y(), along.x()), side.length(), 0};
@@ -289,7 +277,7 @@ class LabelPlacer::Work {
       seams_.push_back(joint);
       numbers_.push_back(static_cast<int>(seams_.size()));
       const SeamSide& host = joint.sides[1];
-      if (const auto line = joint_line(task_.nets, host)) {
+      if (const auto line = joint_line(task_.nets[host.net], host)) {
         plan_.joint_lines[host.net].push_back(*line);
       }
     }

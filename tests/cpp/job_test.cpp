@@ -309,5 +309,22 @@ TEST(Job, LabelsTheFacesOfTheFile) {
   }
 }
 
+TEST(Job, SaysBeforeTheSearchWhatALargeModelCosts) {
+  const auto tells = [](const JobOptions& options) {
+    Job job(to_bytes(obj_of(torus(200, 100))), "model.obj", options);  // 20,000 panels
+    for (bool is_read = false; !is_read;) {
+      for (const Event& event : job.step(kSlice)) {
+        const auto* notice = std::get_if<Notice>(&event);
+        if (notice != nullptr && notice->code == "large-model") return true;
+        const auto* stage = std::get_if<StageEvent>(&event);
+        is_read = is_read || (stage != nullptr && stage->stage != StageId::kRead);
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(tells({}));
+  EXPECT_FALSE(tells({.faces = 1000})) << "whoever asks for fewer knows";
+}
+
 }  // namespace
 }  // namespace foldwright::testing
