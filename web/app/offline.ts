@@ -3,16 +3,33 @@ import { find } from './dom.js';
 /** Lies beside the page: from there it serves all that is below. */
 const script = './service-worker.js';
 
+/** Ms after loading at which a page asks: one that was just closed is still counted for a moment. */
+const askingTimes = [0, 300, 1000, 3000];
+
+/** Aborts when a person begins to do something with the page. */
+function firstUse(): AbortSignal {
+  const use = new AbortController();
+  for (const event of ['pointerdown', 'keydown', 'drop']) {
+    addEventListener(event, () => use.abort(), { once: true, capture: true });
+  }
+  return use.signal;
+}
+
 /**
  * A build that came while pages of an earlier one were open takes over with this page, if there is
- * no other one. It is loaded once more for that, before a person can have done anything with it.
+ * no other one. It is loaded once more for that, before a person has done anything with it.
  */
 export async function takeNewestBuild(): Promise<void> {
   const { serviceWorker } = navigator as Partial<Navigator>;
   const waiting = (await serviceWorker?.getRegistration())?.waiting;
   if (!waiting) return;
   serviceWorker?.addEventListener('controllerchange', () => location.reload(), { once: true });
-  waiting.postMessage('take over');
+  const used = firstUse();
+  for (const time of askingTimes) {
+    setTimeout(() => {
+      if (!used.aborted) waiting.postMessage('take over');
+    }, time);
+  }
 }
 
 /** Rejects when not all files could be kept. */
@@ -24,6 +41,18 @@ function failure(worker: ServiceWorker | null): Promise<never> {
   });
 }
 
+/** Resolves when the worker serves this page, too: it claims all pages before it is activated. */
+async function serving(serviceWorker: ServiceWorkerContainer): Promise<void> {
+  const worker = (await serviceWorker.ready).active;
+  await new Promise<void>((resolve) => {
+    const look = (): void => {
+      if (worker?.state !== 'activating') resolve();
+    };
+    worker?.addEventListener('statechange', look);
+    look();
+  });
+}
+
 /** Keeps all files of the studio on this device, and says when it needs no network any more. */
 export async function keepForOffline(): Promise<void> {
   const words = find('#offline', HTMLElement);
@@ -32,7 +61,7 @@ export async function keepForOffline(): Promise<void> {
   if (!serviceWorker) return;
   try {
     const { installing } = await serviceWorker.register(script, { updateViaCache: 'none' });
-    await Promise.race([serviceWorker.ready, failure(installing)]);
+    await Promise.race([serving(serviceWorker), failure(installing)]);
     words.textContent = 'Ready offline: from now on it works without a network, too.';
   } catch {
     words.textContent = 'It could not be kept on this device, and needs a network.';
