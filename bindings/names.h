@@ -35,7 +35,8 @@ std::string name_of(std::span<const Name<Enum>> names, Enum value) {
 inline constexpr Name<Cause> kCauses[] = {{"part", Cause::kPart},
                                           {"no-net", Cause::kNoNet},
                                           {"no-motion", Cause::kNoMotion},
-                                          {"sheet", Cause::kSheet}};
+                                          {"sheet", Cause::kSheet},
+                                          {"edit", Cause::kEdit}};
 inline constexpr Name<Folding> kFoldings[] = {{"unchecked", Folding::kUnchecked},
                                               {"no", Folding::kNone},
                                               {"line", Folding::kLine},

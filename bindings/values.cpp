@@ -2,6 +2,7 @@
 
 #include <emscripten/bind.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -244,6 +245,15 @@ val saved_net_value(const SavedNet& net) {
   object.set("foldable", name_of<Folding>(kFoldings, net.motion.kind));
   object.set("times", doubles(net.motion.times));
   object.set("shares", list(net.motion.shares, doubles));
+  if (net.place) {
+    const RigidMotion2& motion = net.place->motion;
+    val place = val::object();
+    place.set("sheet", net.place->sheet);
+    place.set("x", motion.t.x());
+    place.set("y", motion.t.y());
+    place.set("angle", std::atan2(motion.s, motion.c) * 180 / std::numbers::pi);
+    object.set("place", place);
+  }
   return object;
 }
 
@@ -376,6 +386,7 @@ struct EventValue {
     val object = typed("error");
     object.set("code", event.code);
     object.set("text", event.text);
+    if (!event.faces.empty()) object.set("faces", ints(event.faces));
     return object;
   }
 };

@@ -171,6 +171,10 @@ class Packer::Work {
 
   bool step() {
     if (items_.size() < task_.pieces.size()) {
+      if (is_pinned(static_cast<int>(items_.size()))) {
+        items_.emplace_back();
+        return false;
+      }
       const std::size_t turns = task_.pieces.size() > kManyPieces || is_hurried() ? 2 : kAllTurns;
       items_.push_back(make_item(task_.pieces[items_.size()], task_.room, turns));
       return false;

@@ -74,33 +74,64 @@ Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, doub
   return packing;
 }
 
+/// A pinned piece where it lies, from the room's lower left.
+Footprint placed(const Footprint& piece, const Pin& pin, const SheetOptions& options) {
+  RigidMotion2 motion = settle_at(piece, pin.angle);
+  const double corner = ruled_margin(options);
+  motion.t += Vec2(pin.place.x - corner, pin.place.y - corner);
+  Footprint print = piece;
+  for (auto& polygon : print.polygons) {
+    for (Vec2& p : polygon) p = motion(p);
+  }
+  return print;
+}
+
+bool is_within(const Footprint& print, const Extent& room) {
+  return std::ranges::all_of(print.points(), [&](const Vec2& p) {
+    return p.x() >= -kPinSlack && p.x() <= room.width + kPinSlack && p.y() >= -kPinSlack &&
+           p.y() <= room.height + kPinSlack;
+  });
+}
+
+/// Pieces that lie on sheets already.
+class PinnedPieces {
+ public:
+  void add(std::size_t piece, int sheet, Footprint print) {
+    placed_.push_back({piece, sheet, std::move(print)});
+  }
+  /// The first piece that one on a sheet would overlap.
+  std::optional<std::size_t> hit_by(int sheet, const Footprint& print) const {
+    const auto found = std::ranges::find_if(placed_, [&](const Placed& other) {
+      return other.sheet == sheet && collide(print, other.print);
+    });
+    return found == placed_.end() ? std::nullopt : std::optional(found->piece);
+  }
+
+ private:
+  struct Placed {
+    std::size_t piece;
+    int sheet;
+    Footprint print;
+  };
+  std::vector<Placed> placed_;
+};
+
 /// Says why pins cannot stay; empty if they can.
 std::string fault_of_pins(const SheetTask& task, const Extent& room) {
-  std::vector<std::pair<std::size_t, Footprint>> placed;
+  PinnedPieces pinned;
   for (std::size_t i = 0; i < task.pins.size(); ++i) {
     if (!task.pins[i]) continue;
-    const auto& [place, angle] = *task.pins[i];
-    RigidMotion2 motion = settle_at(task.pieces[i], angle);
-    const double corner = ruled_margin(task.options);
-    motion.t += Vec2(place.x - corner, place.y - corner);
-    Footprint print = task.pieces[i];
-    for (auto& polygon : print.polygons) {
-      for (Vec2& p : polygon) p = motion(p);
+    const int sheet = task.pins[i]->place.sheet;
+    Footprint print = placed(task.pieces[i], *task.pins[i], task.options);
+    if (!is_within(print, room)) {
+      return "piece " + task.names[i] + " is pinned partly outside the printable area of sheet " +
+             std::to_string(sheet + 1);
     }
-    for (const Vec2& p : print.points()) {
-      if (p.x() < -kPinSlack || p.x() > room.width + kPinSlack || p.y() < -kPinSlack ||
-          p.y() > room.height + kPinSlack) {
-        return "piece " + task.names[i] + " is pinned partly outside the printable area of sheet " +
-               std::to_string(place.sheet + 1);
-      }
+    if (const auto other = pinned.hit_by(sheet, print)) {
+      return "pieces " + task.names[*other] + " and " + task.names[i] +
+             " are pinned on top of each other on sheet " + std::to_string(sheet + 1);
     }
-    for (const auto& [j, other] : placed) {
-      if (task.pins[j]->place.sheet == place.sheet && collide(print, other)) {
-        return "pieces " + task.names[j] + " and " + task.names[i] +
-               " are pinned on top of each other on sheet " + std::to_string(place.sheet + 1);
-      }
-    }
-    placed.emplace_back(i, std::move(print));
+    pinned.add(i, sheet, std::move(print));
   }
   return "";
 }
@@ -195,6 +226,43 @@ class SheetPlanner::Work {
   std::optional<Packer> packer_;
   std::optional<SheetLayout> best_;
 };
+
+Pin pin_at(const Footprint& piece, int sheet, const RigidMotion2& motion) {
+  const RigidMotion2 turn{motion.c, motion.s, Vec2::Zero()};
+  double left = std::numeric_limits<double>::infinity();
+  double low = left;
+  for (const Vec2& point : piece.points()) {
+    const Vec2 p = turn(point);
+    left = std::min(left, p.x());
+    low = std::min(low, p.y());
+  }
+  return {{sheet, left + motion.t.x(), low + motion.t.y()}, std::atan2(motion.s, motion.c)};
+}
+
+bool drop_clashing_pins(const SheetTask& task, std::span<const std::optional<Pin>> pins,
+                        std::span<std::optional<Pin>> held) {
+  const SheetOptions& options = task.options;
+  const bool is_upright = options.orientation == Orientation::kPortrait;
+  const Extent sheet =
+      is_upright ? Extent{options.width, options.height} : Extent{options.height, options.width};
+  const Extent room = room_on(sheet, options);
+  PinnedPieces pinned;
+  for (const bool by_person : {true, false}) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      if (!held[i] || pins[i].has_value() != by_person) continue;
+      const int on = held[i]->place.sheet;
+      Footprint print = placed(task.pieces[i], *held[i], options);
+      if (is_within(print, room) && !pinned.hit_by(on, print)) {
+        pinned.add(i, on, std::move(print));
+      } else if (by_person) {
+        return false;
+      } else {
+        held[i].reset();
+      }
+    }
+  }
+  return true;
+}
 
 SheetPlanner::SheetPlanner(const SheetTask& task) : work_(std::make_unique<Work>(task)) {}
 SheetPlanner::~SheetPlanner() = default;

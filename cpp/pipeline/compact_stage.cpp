@@ -26,7 +26,8 @@ class CompactStage : public Stage {
   StageId id() const override { return StageId::kCompact; }
 
   void begin(JobState& state, TaskQueue& queue, Events&) override {
-    if (!state.options.compaction || state.nets.empty()) return;
+    const auto is_kept = [](const FoundNet& net) { return net.region.kept; };
+    if (!state.options.compaction || std::ranges::all_of(state.nets, is_kept)) return;
     scale_ = finished_scale(state);
     begin_round(state, queue);
   }

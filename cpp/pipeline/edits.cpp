@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/input_error.h"
+#include "pipeline/net_edits.h"
 #include "pipeline/saved_net.h"
 
 namespace foldwright {
@@ -54,9 +55,9 @@ std::vector<Panels> panels_by_part(const DualGraph& graph, const std::vector<int
   return parts;
 }
 
-void check_names(int part_count, std::span<const Edit> edits) {
+void check_names(int part_count, std::span<const PartEdit> edits) {
   std::set<int> named;
-  for (const Edit& edit : edits) {
+  for (const PartEdit& edit : edits) {
     if (edit.parts.empty()) throw bad_edit("an edit must name a part");
     for (const int part : edit.parts) {
       if (part < 0 || part >= part_count) {
@@ -71,7 +72,7 @@ void check_names(int part_count, std::span<const Edit> edits) {
 }
 
 /// What becomes of the parts that an edit names.
-Component edited(const DualGraph& graph, const std::vector<Panels>& parts, const Edit& edit) {
+Component edited(const DualGraph& graph, const std::vector<Panels>& parts, const PartEdit& edit) {
   Panels panels;
   for (const int part : edit.parts) {
     panels.insert(panels.end(), parts[part].begin(), parts[part].end());
@@ -91,7 +92,23 @@ Component edited(const DualGraph& graph, const std::vector<Panels>& parts, const
   return component;
 }
 
-/// A part as it was, with its nets, unless they leave some of it out, as after a cancel.
+/// Sets of panels that touch each other and have no net.
+std::vector<Panels> open_shares(const Component& component) {
+  Labels labels(component.graph.panel_count(), 0);
+  for (const FoundNet& net : component.kept) {
+    for (const int panel : net.region.panels) labels[panel] = 1;
+  }
+  const Labels pieces = part_pieces(component.graph, labels);
+  std::map<int, Panels> open;
+  for (std::size_t panel = 0; panel < labels.size(); ++panel) {
+    if (labels[panel] == 0) open[pieces[panel]].push_back(static_cast<int>(panel));
+  }
+  std::vector<Panels> shares;
+  for (auto& [piece, panels] : open) shares.push_back(std::move(panels));
+  return shares;
+}
+
+/// A part as it was, with its nets; what they leave out is searched.
 Component kept(const DualGraph& graph, int index, const Panels& panels, int number,
                const std::vector<SavedNet>& nets) {
   Component component = make_component(graph, panels);
@@ -104,19 +121,35 @@ Component kept(const DualGraph& graph, int index, const Panels& panels, int numb
     covered += net.faces.size();
   }
   if (covered > component.graph.faces.size()) throw foreign_start();
-  if (covered < component.graph.faces.size()) component.kept.clear();
+  if (!component.kept.empty()) component.open = open_shares(component);
   return component;
+}
+
+/// The nets of the start after its edits of single nets; names go with their parts.
+EarlierNets edit_nets(JobState& state, const JobStart& start) {
+  EarlierNets nets{start.labels, 0, start.nets};
+  if (start.net_edits.empty()) return nets;
+  nets.part_count = static_cast<int>(panels_by_part(state.surface->graph, start.labels).size());
+  const double scale = start.paper ? start.paper->scale : 1;
+  for (const NetEdit& edit : start.net_edits) {
+    const int count = nets.part_count;
+    const auto merged = apply_net_edit(*state.surface, scale, edit, nets);
+    if (!merged) continue;
+    const std::span<const PartEdit> edits(&*merged, 1);
+    state.options.names = carry_names(state.options.names, edits, number_parts(count, edits));
+  }
+  return nets;
 }
 
 }  // namespace
 
-EditedNumbers number_parts(int count, std::span<const Edit> edits) {
+EditedNumbers number_parts(int count, std::span<const PartEdit> edits) {
   EditedNumbers numbers;
   numbers.count = count;
   numbers.of_part.resize(count);
   std::iota(numbers.of_part.begin(), numbers.of_part.end(), 0);
   std::set<int> open;
-  for (const Edit& edit : edits) {
+  for (const PartEdit& edit : edits) {
     std::vector<int>& own = numbers.of_edit.emplace_back(edit.parts);
     std::ranges::sort(own);
     for (const int part : own) numbers.of_part[part] = -1;
@@ -143,7 +176,7 @@ EditedNumbers number_parts(int count, std::span<const Edit> edits) {
   return numbers;
 }
 
-std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const Edit> edits,
+std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const PartEdit> edits,
                                   const EditedNumbers& numbers) {
   std::vector<PartName> carried;
   for (const auto& [part, name] : names) {
@@ -162,18 +195,21 @@ std::vector<PartName> carry_names(std::span<const PartName> names, std::span<con
 }
 
 void start_from_earlier(JobState& state) {
-  const JobStart start = std::move(*std::exchange(state.start, std::nullopt));
+  const JobStart& start = *state.start;
   const DualGraph& graph = state.surface->graph;
-  const std::vector<Panels> parts = panels_by_part(graph, start.labels);
-  check_names(static_cast<int>(parts.size()), start.edits);
-  for (const Edit& edit : start.edits) state.components.push_back(edited(graph, parts, edit));
-  const EditedNumbers numbers = number_parts(static_cast<int>(parts.size()), start.edits);
-  for (std::size_t i = 0; i < start.edits.size(); ++i) {
+  const EarlierNets earlier = edit_nets(state, start);
+  const std::vector<Panels> parts = panels_by_part(graph, earlier.labels);
+  check_names(static_cast<int>(parts.size()), start.part_edits);
+  for (const PartEdit& edit : start.part_edits) {
+    state.components.push_back(edited(graph, parts, edit));
+  }
+  const EditedNumbers numbers = number_parts(static_cast<int>(parts.size()), start.part_edits);
+  for (std::size_t i = 0; i < start.part_edits.size(); ++i) {
     state.components[i].part_numbers = numbers.of_edit[i];
   }
-  state.options.names = carry_names(state.options.names, start.edits, numbers);
+  state.options.names = carry_names(state.options.names, start.part_edits, numbers);
   std::vector<std::vector<SavedNet>> nets(parts.size());
-  for (const SavedNet& net : start.nets) {
+  for (const SavedNet& net : earlier.nets) {
     if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();
     nets[net.part].push_back(net);
   }

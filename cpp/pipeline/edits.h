@@ -17,13 +17,13 @@ struct EditedNumbers {
 /// made from, the lower ones first; then those that other edits set free, then new ones. Numbers
 /// that stay free are filled with the parts of the highest numbers.
 /// \pre no part is named twice
-EditedNumbers number_parts(int count, std::span<const Edit> edits);
+EditedNumbers number_parts(int count, std::span<const PartEdit> edits);
 
 /// Names of the parts after `edits`, from those before; `numbers`: what `number_parts` gives.
 ///
 /// A part that no edit names keeps its name, and so does what becomes one part again, if just one
 /// of the parts that it is made of has a name. All other names go with their parts.
-std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const Edit> edits,
+std::vector<PartName> carry_names(std::span<const PartName> names, std::span<const PartEdit> edits,
                                   const EditedNumbers& numbers);
 
 /// Begins the job with its `start` instead of the bodies of the model: each edit becomes a

@@ -57,6 +57,7 @@ struct CancelledEvent {
 };
 struct ErrorEvent {
   std::string code, text;
+  std::vector<int> faces = {};  ///< of the mesh, that it is about
 };
 
 /// What a job tells while it runs.

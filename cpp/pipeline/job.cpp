@@ -57,14 +57,15 @@ template <class Action>
 Events Job::guarded(Action&& action) {
   Events events;
   if (finished_) return events;
-  const auto fail = [&](const std::string& code, const std::string& text) {
-    events.push_back(ErrorEvent{code, text});
+  const auto fail = [&](const std::string& code, const std::string& text,
+                        std::vector<int> faces = {}) {
+    events.push_back(ErrorEvent{code, text, std::move(faces)});
     finished_ = true;
   };
   try {
     action(events);
   } catch (const InputError& error) {
-    fail(error.code(), error.what());
+    fail(error.code(), error.what(), error.faces());
   } catch (const std::bad_alloc&) {
     const StageFacts& stage = kStages[current_];
     fail("out-of-memory",

@@ -58,7 +58,7 @@ bool PaperDrafter::step() {
       if (place_flaps_on_sheets()) begin_packing();
       return false;
     case Phase::kPack:
-      if (!planner_->step()) return false;
+      if (!pack()) return false;
       finish();
       return true;
   }
@@ -112,13 +112,45 @@ void PaperDrafter::begin_packing() {
     }
     if (!is_found) ++draft_.lost_pins;
   }
-  planner_.emplace(
-      SheetTask{draft_.prints, state_.options.sheet, parts_, pins_, draft_.names, effort_});
+  hold_places();
+  if (!holds_) planner_.emplace(sheet_task(pins_));
   phase_ = Phase::kPack;
 }
 
-void PaperDrafter::finish() {
+SheetTask PaperDrafter::sheet_task(std::span<const std::optional<Pin>> pins) const {
+  return {draft_.prints, state_.options.sheet, parts_, pins, draft_.names, effort_};
+}
+
+/// Tries to leave nets where they lay in the earlier result, unless flaps run into each other
+/// there.
+void PaperDrafter::hold_places() {
+  const EarlierPaper* earlier = earlier_paper(state_);
+  if (!earlier || earlier->scale != scale_) return;
+  held_pins_ = pins_;
+  for (std::size_t i = 0; i < held_pins_.size(); ++i) {
+    const auto& place = draft_.nets[i].place;
+    if (held_pins_[i] || !place) continue;
+    held_pins_[i] = pin_at(draft_.prints[i], place->sheet, place->motion);
+  }
+  SheetTask task = sheet_task(held_pins_);
+  const bool is_upright = earlier->sheet_width <= task.options.width;
+  task.options.orientation = is_upright ? Orientation::kPortrait : Orientation::kLandscape;
+  if (!drop_clashing_pins(task, pins_, held_pins_)) return;
+  holds_ = true;
+  planner_.emplace(task);
+}
+
+/// True when the pieces are packed; nets that stay must not cost paper.
+bool PaperDrafter::pack() {
+  if (!planner_->step()) return false;
   draft_.sheets = planner_->take();
+  if (!holds_ || draft_.sheets.sheet_count <= earlier_paper(state_)->sheets) return true;
+  holds_ = false;
+  planner_.emplace(sheet_task(pins_));
+  return false;
+}
+
+void PaperDrafter::finish() {
   draft_.sheets.scale = scale_;
   for (std::size_t i = 0; i < draft_.flat.size(); ++i) {
     const RigidMotion2& turn = draft_.sheets.turns[i];

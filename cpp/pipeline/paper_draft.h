@@ -38,6 +38,9 @@ class PaperDrafter {
   void begin_pieces();
   bool place_flaps_on_sheets();
   void begin_packing();
+  void hold_places();
+  SheetTask sheet_task(std::span<const std::optional<Pin>> pins) const;
+  bool pack();
   void finish();
 
   const JobState& state_;
@@ -48,7 +51,9 @@ class PaperDrafter {
   std::vector<std::vector<std::vector<Vec2>>> keep_off_;
   std::vector<std::optional<std::array<double, 2>>> held_;  ///< see `Footprint::fitting_turn`
   std::vector<int> parts_;
-  std::vector<std::optional<Pin>> pins_;
+  std::vector<std::optional<Pin>> pins_;       ///< that a person put
+  std::vector<std::optional<Pin>> held_pins_;  ///< these, and places of the earlier result
+  bool holds_ = false;                         ///< packing tries with the latter
   std::optional<SheetPlanner> planner_;
   PaperDraft draft_;
 };

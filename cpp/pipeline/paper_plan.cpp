@@ -46,7 +46,10 @@ bool PaperPlanner::step() {
   const int effort = in_a_hurry_ ? 1 : SheetTask::kFullEffort;
   switch (phase_) {
     case Phase::kScale:
-      if (state_.options.size.by == Sizing::kSheets) {
+      if (const EarlierPaper* earlier = earlier_paper(state_);
+          earlier && state_.options.size.by == Sizing::kSheets) {
+        draft_at(earlier->scale, effort);
+      } else if (state_.options.size.by == Sizing::kSheets) {
         begin_search();
       } else if (!scale_) {
         draft_at(fixed_scale(state_.surface->mesh, state_.options.size), effort);
@@ -60,6 +63,10 @@ bool PaperPlanner::step() {
     case Phase::kDraft:
       if (!drafter_->step()) return false;
       plan_.draft = drafter_->take();
+      if (takes_too_many_sheets()) {
+        begin_search();
+        return false;
+      }
       phase_ = Phase::kStrips;
       progress_ = 0.6;
       return false;
@@ -74,6 +81,12 @@ bool PaperPlanner::step() {
       return true;
   }
   return true;
+}
+
+/// Whether the size of the earlier result does for the number of sheets no longer.
+bool PaperPlanner::takes_too_many_sheets() const {
+  return range_.high == 0 && state_.options.size.by == Sizing::kSheets &&
+         plan_.draft.sheets.sheet_count > static_cast<int>(state_.options.size.value);
 }
 
 void PaperPlanner::begin_search() {
@@ -93,8 +106,9 @@ void PaperPlanner::search() {
   try {
     if (!drafter_->step()) return;
     fits = drafter_->take().sheets.sheet_count <= static_cast<int>(state_.options.size.value);
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
     // A face that fits no sheet at the larger scale counts as too large as well.
+    if (error.code() != kFaceTooLarge) throw;
     if (range_.low == 0 && range_.trials == kMostHalvings) throw;
   }
   if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {

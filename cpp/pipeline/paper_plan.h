@@ -40,6 +40,7 @@ class PaperPlanner {
  private:
   enum class Phase { kScale, kSearch, kDraft, kStrips, kLabels };
 
+  bool takes_too_many_sheets() const;
   void begin_search();
   void search();
   void draft_at(double scale, int effort);

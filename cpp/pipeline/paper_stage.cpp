@@ -181,7 +181,12 @@ class PaperStage : public Stage {
     result.taped = plan_->taped;
     result.printed_ids = plan_->labels.printed;
     result.skipped_ids = std::move(plan_->labels.skipped);
-    for (const FoundNet& net : state.nets) {
+    for (std::size_t i = 0; i < draft.nets.size(); ++i) {
+      FoundNet& net = draft.nets[i];
+      const Placement& place = result.sheets.placements[i];
+      RigidMotion2 motion = result.sheets.turns[i];
+      motion.t += Vec2(place.x, place.y);
+      net.place = {place.sheet, motion};
       result.nets.push_back(save_net(state.components[net.region.component], net));
     }
     add_size_notices(state);

@@ -49,7 +49,7 @@ InputError too_large(const JobState& state, const Net& net) {
       "mm: it would fit at %.0f %% of the size, or on paper %.1f times as large",
       longest, state.options.sheet.width, state.options.sheet.height, std::floor(100 * share),
       std::ceil(10 / share) / 10);
-  return InputError("face-too-large", text);
+  return InputError(kFaceTooLarge, text);
 }
 
 /// The nets' outlines and area in model units.
@@ -69,6 +69,11 @@ ScaleFinder::ScaleFinder(const JobState& state)
   // A tiny sheet may hold no net with flaps on both sides; then they are kept off its edge.
   const double spare = 1 - 2 * state.options.flaps.shape.height / std::min(room.width, room.height);
   low_ = high_ * std::max(spare, 0.5);
+  const EarlierPaper* earlier = earlier_paper(state);
+  if (earlier && earlier->scale < high_) {
+    high_ = earlier->scale;
+    low_ = std::min(low_, high_);
+  }
 }
 
 bool ScaleFinder::step() {

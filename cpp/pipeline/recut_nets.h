@@ -4,8 +4,12 @@
 
 namespace foldwright {
 
+/// Code of what is thrown for a single face that fits no sheet.
+inline constexpr const char* kFaceTooLarge = "face-too-large";
+
 /// Finds the largest scale in millimetres per model unit at which every net of a state fits a
-/// sheet, with all the flaps that it would have if sheets had no end.
+/// sheet, with all the flaps that it would have if sheets had no end; at most that of the earlier
+/// result, if there is one to keep to.
 class ScaleFinder {
  public:
   /// The state must outlive this.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct Notice {
 };
 
 /// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that
-/// folds, or none that fits the sheet.
-enum class Cause { kPart, kNoNet, kNoMotion, kSheet };
+/// folds, or none that fits the sheet, or one that a person cut.
+enum class Cause { kPart, kNoNet, kNoMotion, kSheet, kEdit };
 
 /// The motion that folds a net up.
 struct PieceMotion {
@@ -49,6 +50,13 @@ struct Piece {
   std::vector<double> necks = {};  ///< lengths of its necks in mm, ascending; see `find_necks`
 };
 
+/// Where a net lies on paper, whatever hangs at it: the motion takes it, as `flatten` makes it, to
+/// its place from the sheet's lower left. Millimetres.
+struct HeldPlace {
+  int sheet = 0;
+  RigidMotion2 motion;
+};
+
 /// A net as plain values that outlive its job, for another job to start from. Faces and edges are
 /// those of the result's mesh.
 struct SavedNet {
@@ -57,6 +65,7 @@ struct SavedNet {
   std::vector<int> faces;  ///< ascending
   std::vector<int> folds;  ///< the first mesh edge of every hinge that folds
   FoldMotion motion;       ///< its shares are in the order of `folds`
+  std::optional<HeldPlace> place = {};
 };
 
 struct JobResult {
@@ -67,7 +76,7 @@ struct JobResult {
   int parts = 0;
   std::vector<PartName> names;  ///< those that were chosen, by the numbers of these parts
   std::vector<Piece> pieces;    ///< in the order of gluing
-  std::vector<SavedNet> nets;
+  std::vector<SavedNet> nets;   ///< of the pieces
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;

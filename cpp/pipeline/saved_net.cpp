@@ -62,14 +62,14 @@ InputError foreign_start() {
 
 SavedNet save_net(const Component& component, const FoundNet& net) {
   const DualGraph graph = restrict_to(component.graph, net.region.panels);
-  SavedNet saved{net.region.part, net.region.cause, graph.faces, {}, net.motion};
+  SavedNet saved{net.region.part, net.region.cause, graph.faces, {}, net.motion, net.place};
   std::ranges::sort(saved.faces);
   for (const int hinge : net.folds) saved.folds.push_back(graph.hinges[hinge].edges[0]);
   return saved;
 }
 
 FoundNet load_net(const Component& component, int index, const SavedNet& saved) {
-  FoundNet net{{index, saved.part, saved.cause, {}}, {}, saved.motion};
+  FoundNet net{{index, saved.part, saved.cause, {}}, {}, saved.motion, saved.place};
   net.region.kept = true;
   net.region.panels = panels_of_faces(component.graph, saved.faces);
   net.folds = hinges_of_edges(restrict_to(component.graph, net.region.panels), saved.folds);

@@ -20,11 +20,13 @@ void add_search_notices(JobState& state) {
   std::map<int, Outcome> outcomes;
   for (const FoundNet& net : state.nets) {
     Outcome& outcome = outcomes[net.region.part];
-    // Those of an earlier result may have been cut for the sheet, which is told elsewhere.
-    outcome.pieces += net.region.cause != Cause::kSheet;
+    // Those of an earlier result may have been cut for the sheet, which is told elsewhere, or by a
+    // person, who knows.
+    const bool is_told = net.region.cause == Cause::kSheet || net.region.cause == Cause::kEdit;
+    outcome.pieces += !is_told;
     outcome.without_motion += net.motion.kind == Folding::kNone;
     outcome.meets_itself |= net.region.meets_itself;
-    if (net.region.cause != Cause::kSheet) outcome.cause = net.region.cause;
+    if (!is_told) outcome.cause = net.region.cause;
   }
   for (const auto& [part, outcome] : outcomes) {
     const std::string name = "part " + std::to_string(part + 1);

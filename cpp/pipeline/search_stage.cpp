@@ -35,6 +35,7 @@ struct Search {
   Candidate best;
   FoldTree initial;      ///< tree that the first attempt starts from; empty: from heuristics
   bool at_last = false;  ///< its borders stand still, and what these attempts do not solve is cut
+  std::optional<HeldPlace> place = {};  ///< of a net that is kept
 };
 
 /// The region itself names its searches in their seeds, since regions come up in any order.
@@ -62,8 +63,11 @@ class SearchStage : public Stage {
       Component& component = state.components[region.component];
       if (component.kept.empty()) {
         regions.push_back(std::move(region));
-      } else {
-        keep(state, component, events);
+        continue;
+      }
+      keep(state, queue, component, events);
+      for (std::vector<int>& panels : std::exchange(component.open, {})) {
+        regions.push_back({region.component, region.part, Cause::kEdit, std::move(panels)});
       }
     }
     // The largest first: one that came last would keep a single worker busy.
@@ -128,13 +132,23 @@ class SearchStage : public Stage {
   }
 
  private:
-  /// Takes the nets of a part that an edit leaves as it is.
-  void keep(JobState& state, Component& component, Events& events) {
+  /// Takes the nets of a part that an edit leaves as it is. Those that the edit itself made look
+  /// for a motion first.
+  void keep(JobState& state, TaskQueue& queue, Component& component, Events& events) {
     for (FoundNet& net : std::exchange(component.kept, {})) {
       // It is told again why it does not fold.
-      if (net.motion.kind == Folding::kNone) examine(state, net.region);
-      Candidate candidate{std::move(net.folds), 0, 0, std::move(net.motion)};
-      settle(state, {std::move(net.region), 0, 0, std::move(candidate), {}}, events);
+      if (!net.motion.certified()) examine(state, net.region);
+      const bool is_new = net.motion.kind == Folding::kUnchecked;
+      Search search{std::move(net.region), 0, 0, {}, {}};
+      search.best = {std::move(net.folds), 0, 0, std::move(net.motion)};
+      search.place = net.place;
+      if (is_new && wants_motion(state, search.region) &&
+          !is_too_large_to_plan(state, search.region)) {
+        search.key = key_of(search.region);
+        plan(state, queue, std::move(search));
+      } else {
+        settle(state, std::move(search), events);
+      }
     }
   }
 
@@ -226,7 +240,7 @@ class SearchStage : public Stage {
                Events& events) {
     Search search = take_search(task);
     search.best.motion = result.motion;
-    if (result.motion.certified()) {
+    if (result.motion.certified() || search.region.kept) {
       settle(state, std::move(search), events);
     } else {
       unsolved(state, queue, std::move(search), events);
@@ -318,7 +332,8 @@ class SearchStage : public Stage {
       panels_done_ += static_cast<int>(region.panels.size());
       events.push_back(NetEvent{part, nets_found_++});
     }
-    FoundNet net{std::move(region), std::move(search.best.folds), std::move(search.best.motion)};
+    FoundNet net{std::move(region), std::move(search.best.folds), std::move(search.best.motion),
+                 search.place};
     if (is_part) {
       trees_->settle(part, std::move(net));
     } else {

@@ -38,6 +38,10 @@ Component make_component(const DualGraph& model, std::vector<int> panels) {
   return component;
 }
 
+const EarlierPaper* earlier_paper(const JobState& state) {
+  return state.start && state.start->paper ? &*state.start->paper : nullptr;
+}
+
 void make_parts_of_pieces(JobState& state) {
   int part_before = -1;
   for (FoundNet& net : state.nets) {

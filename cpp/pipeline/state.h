@@ -43,6 +43,7 @@ struct FoundNet {
   Region region;
   FoldTree folds;  ///< of the graph restricted to the region
   FoldMotion motion;
+  std::optional<HeldPlace> place = {};  ///< of an earlier result, where it lay
 };
 
 /// An edge-connected set of panels that is made into parts by itself: a body of the model, or what
@@ -57,7 +58,9 @@ struct Component {
   Labels labels;  ///< per panel of `graph`: its part within the component
   /// Numbers of its parts among all of the model, ascending; empty until they are known.
   std::vector<int> part_numbers;
-  std::vector<FoundNet> kept;  ///< nets of an earlier result, of all its panels, or none
+  std::vector<FoundNet> kept;  ///< nets of an earlier result, or none
+  /// Shares of a part that are searched again beside the nets kept: panels of `graph`, ascending.
+  std::vector<std::vector<int>> open;
 };
 
 /// A component of some panels of the model, ascending. \pre they are connected
@@ -85,6 +88,9 @@ struct JobState {
   std::vector<Notice> notices;
   JobResult result;
 };
+
+/// Size and sheets of the earlier result, if nets shall stay where they are; or null.
+const EarlierPaper* earlier_paper(const JobState& state);
 
 /// Sorts the nets by part, and within a part by lowest panel.
 void sort_nets(JobState& state);

@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<int>;
 
 TEST(Edits, ASplitPartKeepsItsNumberAndAddsNewOnes) {
-  const std::vector<Edit> edits = {{{1}, 3}};
+  const std::vector<PartEdit> edits = {{{1}, 3}};
   const EditedNumbers numbers = number_parts(4, edits);
   EXPECT_EQ(numbers.of_edit[0], (Numbers{1, 4, 5}));
   EXPECT_EQ(numbers.of_part, (Numbers{0, -1, 2, 3}));
@@ -22,7 +22,7 @@ TEST(Edits, ASplitPartKeepsItsNumberAndAddsNewOnes) {
 }
 
 TEST(Edits, AMergedPartKeepsTheLowerNumberAndTheLastPartFillsTheGap) {
-  const std::vector<Edit> edits = {{{2, 0}, 1}};
+  const std::vector<PartEdit> edits = {{{2, 0}, 1}};
   const EditedNumbers numbers = number_parts(5, edits);
   EXPECT_EQ(numbers.of_edit[0], (Numbers{0}));
   EXPECT_EQ(numbers.of_part, (Numbers{-1, 1, -1, 3, 2}));
@@ -30,7 +30,7 @@ TEST(Edits, AMergedPartKeepsTheLowerNumberAndTheLastPartFillsTheGap) {
 }
 
 TEST(Edits, NoPartMovesWhenTheLastOneIsMerged) {
-  const std::vector<Edit> edits = {{{1, 3}, 1}};
+  const std::vector<PartEdit> edits = {{{1, 3}, 1}};
   const EditedNumbers numbers = number_parts(4, edits);
   EXPECT_EQ(numbers.of_edit[0], (Numbers{1}));
   EXPECT_EQ(numbers.of_part, (Numbers{0, -1, 2, -1}));
@@ -38,7 +38,7 @@ TEST(Edits, NoPartMovesWhenTheLastOneIsMerged) {
 }
 
 TEST(Edits, NumbersSetFreeAreTakenBeforeNewOnes) {
-  const std::vector<Edit> edits = {{{2}, 3}, {{0, 1}, 1}};
+  const std::vector<PartEdit> edits = {{{2}, 3}, {{0, 1}, 1}};
   const EditedNumbers numbers = number_parts(4, edits);
   EXPECT_EQ(numbers.of_edit[0], (Numbers{1, 2, 4}));
   EXPECT_EQ(numbers.of_edit[1], (Numbers{0}));
@@ -47,7 +47,7 @@ TEST(Edits, NumbersSetFreeAreTakenBeforeNewOnes) {
 }
 
 std::map<int, std::string> carried(const std::vector<PartName>& names,
-                                   const std::vector<Edit>& edits, int count) {
+                                   const std::vector<PartEdit>& edits, int count) {
   std::map<int, std::string> by_part;
   for (const auto& [part, name] : carry_names(names, edits, number_parts(count, edits))) {
     EXPECT_TRUE(by_part.emplace(part, name).second) << "part " << part << " has two names";
@@ -83,7 +83,7 @@ TEST(Edits, NumberPartsWithoutGapsAndMoveAsFewAsTheyMust) {
     Numbers order(count);
     std::iota(order.begin(), order.end(), 0);
     for (int i = count - 1; i > 0; --i) std::swap(order[i], order[draw(i + 1)]);
-    std::vector<Edit> edits;
+    std::vector<PartEdit> edits;
     int lost = 0;
     for (int at = 0; at < count && draw(4) > 0;) {
       const int size = std::min(1 + draw(3), count - at);

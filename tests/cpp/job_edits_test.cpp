@@ -16,8 +16,8 @@ namespace {
 
 const JobOptions kFive = {.parts = 5, .runs = 40, .compaction = false};
 
-JobStart start_of(const JobResult& result, std::vector<Edit> edits) {
-  return {result.labels, result.nets, std::move(edits)};
+JobStart start_of(const JobResult& result, std::vector<PartEdit> edits) {
+  return {.labels = result.labels, .nets = result.nets, .part_edits = std::move(edits)};
 }
 
 Outcome run_from(const Mesh& mesh, JobStart start, const JobOptions& options = kFive,
@@ -181,7 +181,7 @@ TEST(JobEdits, MakeSeveralChangesAtOnce) {
   const Mesh mesh = bumpy_sphere(400);
   const Outcome earlier = run(mesh, kFive);
   const auto [a, b] = neighbours(*earlier.result);
-  std::vector<Edit> edits = {{{a, b}, 1}};
+  std::vector<PartEdit> edits = {{{a, b}, 1}};
   for (int part = 0; part < 5; ++part) {
     if (part != a && part != b) edits.push_back({{part}, 2});
   }
@@ -225,7 +225,7 @@ TEST(JobEdits, SplitWhatHasNoNetOnceMerged) {
 TEST(JobEdits, GiveTheSameInWhateverSlices) {
   const Mesh mesh = torus(12, 9);
   const Outcome earlier = run(mesh, kFive);
-  const std::vector<Edit> edits = {{{largest_part(*earlier.result)}, 3}};
+  const std::vector<PartEdit> edits = {{{largest_part(*earlier.result)}, 3}};
   const Outcome one = run_from(mesh, start_of(*earlier.result, edits));
   expect_sound(one);
   for (const std::int64_t slice : {std::int64_t{1}, std::int64_t{333}}) {
@@ -287,7 +287,7 @@ TEST(JobEdits, KeepWhatIsThereWhenCancelled) {
 TEST(JobEdits, RefuseWhatCannotBeDone) {
   const Mesh mesh = random_hull(3, 40);
   const Outcome earlier = run(mesh, kFive);
-  const auto attempt = [&](std::vector<Edit> edits) {
+  const auto attempt = [&](std::vector<PartEdit> edits) {
     return run_from(mesh, start_of(*earlier.result, std::move(edits)));
   };
   expect_error(attempt({{{5}, 2}}), "bad-edit", "there is no part 6: the model has 5 parts");

@@ -1,5 +1,5 @@
 import { merging, splitting } from '../model/edits.js';
-import type { Edit, JobResult } from '../model/job.js';
+import type { PartEdit, JobResult } from '../model/job.js';
 import { hangTogether, type Neighbours, partNeighbours } from '../model/part-neighbours.js';
 import { find } from './dom.js';
 import { PartRow } from './part-row.js';
@@ -7,7 +7,7 @@ import { finishedParts } from './result-words.js';
 
 /** What a person asks for, and its name. */
 export interface Change {
-  edits: Edit[];
+  edits: PartEdit[];
   /** To be read after "Undo: ". */
   words: string;
 }

@@ -1,6 +1,6 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
-import type { Edit } from '../model/job.js';
+import type { PartEdit } from '../model/job.js';
 import { merge, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
 import { idleOptions } from './idle-options.js';
@@ -17,7 +17,7 @@ export interface Commands {
   /** What was asked for in vain, in phrases for people. */
   idle: string[];
   /** What is to be changed in the parts that come out. */
-  edits: Edit[];
+  edits: PartEdit[];
   /** The same, as it was written. */
   editWords: EditWords;
 }

@@ -197,9 +197,9 @@ export interface Piece {
   part: number;
   /**
    * Why the piece exists: it is a whole part, or a share of a part without a net, or a motion, or
-   * of one too large for the sheet.
+   * of one too large for the sheet, or a person cut it or joined it.
    */
-  cause: 'part' | 'no-net' | 'no-motion' | 'sheet';
+  cause: 'part' | 'no-net' | 'no-motion' | 'sheet' | 'edit';
   /** Overlapping face pairs found by the independent check; 0 in every finished net. */
   overlaps: number;
   width: number;
@@ -254,22 +254,41 @@ export interface SavedNet {
   times: Float64Array;
   /** Per key, the share of its angle that each fold has then. */
   shares: Float64Array[];
+  /** Takes its flat copy, as the engine makes it, to its place on a sheet: mm, degrees. */
+  place?: { sheet: number; x: number; y: number; angle: number };
 }
 
 /**
  * Makes some parts that touch into another number of parts: one into several splits it, two into one
  * merges them, one into one searches it again. Parts are those of the result before.
  */
-export interface Edit {
+export interface PartEdit {
   parts: number[];
   into: number;
 }
 
-/** An earlier result and what to change in it. No part is named by two edits. */
+/** Two vertices of the repaired model, in either order. */
+export type EdgeName = readonly [number, number];
+
+/** A change of nets that does not go by whole parts. */
+export type NetEdit =
+  | { kind: 'cut'; edge: EdgeName }
+  /** In one net the loop is opened at `open`, or where that leaves least to glue. */
+  | { kind: 'join'; edge: EdgeName; open?: EdgeName; search?: boolean }
+  | { kind: 'assign'; faces: readonly number[]; part: number };
+
+/** An earlier result and what to change in it. No part is named by two edits of parts. */
 export interface JobStart {
   labels: Int32Array;
   nets: SavedNet[];
-  edits: Edit[];
+  /** Made first, one after the other. */
+  netEdits: readonly NetEdit[];
+  partEdits: readonly PartEdit[];
+  /**
+   * Given if sheets and size are still those that were asked for then: what is left alone keeps its
+   * size and, if that takes no more sheets, its place.
+   */
+  paper: { scale: number; sheets: number; sheetWidth: number } | null;
 }
 
 export interface Sheet {
@@ -348,4 +367,5 @@ export type JobEvent =
   | { type: 'done'; result: JobResult }
   /** Ended on demand; `best` holds the nets found so far, if any: other faces are in no piece. */
   | { type: 'cancelled'; best?: JobResult }
-  | { type: 'error'; code: string; text: string };
+  /** `faces`: of the repaired model, that it is about. */
+  | { type: 'error'; code: string; text: string; faces?: Int32Array };
