@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -15,6 +16,10 @@ constexpr std::array<int, 3> kBeam = {5, 3, 1};
 
 // Nets of more plates would take seconds.
 constexpr std::size_t kManyPlates = 250;
+
+// Plates looked at before cuts are followed up no further: some tenths of a second. A net that
+// falls into dozens of pieces would take minutes, and so far ahead nothing can be told.
+constexpr std::int64_t kMostWork = 8'000'000;
 
 // Pieces that a face too large for the room counts as: no cut helps there.
 constexpr int kHopeless = 1000;
@@ -65,7 +70,7 @@ class CutSearch {
     const auto rank = [](const Cut& cut) {
       return std::tuple(cut.rooms, cut.untidiness, cut.fold);
     };
-    const int width = level < kBeam.size() ? kBeam[level] : 1;
+    const int width = level < kBeam.size() && work_ < kMostWork ? kBeam[level] : 1;
     const auto count = std::min<std::size_t>(width, cuts.size());
     std::ranges::partial_sort(cuts, cuts.begin() + static_cast<std::ptrdiff_t>(count), {}, rank);
     std::tuple<int, double, int> least;
@@ -91,8 +96,10 @@ class CutSearch {
 
  private:
   int pieces_of(const std::vector<int>& members, std::size_t level) {
-    if (rooms_taken(hull_of(members), room_) == 1) return 1;
+    const double rooms = rooms_taken(hull_of(members), room_);
+    if (rooms == 1) return 1;
     if (members.size() == 1) return kHopeless;
+    if (work_ >= kMostWork) return static_cast<int>(std::ceil(rooms));
     return best(members, level).second;
   }
 
@@ -115,7 +122,8 @@ class CutSearch {
     return cuts;
   }
 
-  Cut cut_at(int fold, const std::vector<int>& members, const std::vector<char>& is_member) const {
+  Cut cut_at(int fold, const std::vector<int>& members, const std::vector<char>& is_member) {
+    work_ += static_cast<std::int64_t>(members.size());
     const int far = plates_.folds[fold][1];
     std::vector<char> is_far(plates_.corners.size(), 0);
     std::vector<int> open = {far};
@@ -148,6 +156,7 @@ class CutSearch {
   const Plates& plates_;
   Extent room_;
   std::vector<std::vector<int>> folds_at_;  ///< per plate
+  std::int64_t work_ = 0;                   ///< plates looked at
 };
 
 }  // namespace

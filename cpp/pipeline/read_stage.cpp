@@ -9,6 +9,7 @@
 #include "mesh/simplify.h"
 #include "mesh/turn_up.h"
 #include "pipeline/edits.h"
+#include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
@@ -159,6 +160,7 @@ class ReadStage : public Stage {
     }
     state.surface = make_surface(kModelSurface, simplified(state));
     events.push_back(ModelEvent{state.surface});
+    check_panels_fit(state);
     if (state.start) {
       start_from_earlier(state);
     } else {

@@ -7,6 +7,7 @@
 #include "mesh/input_error.h"
 #include "paper/recut.h"
 #include "pipeline/flat_net.h"
+#include "pipeline/model_size.h"
 #include "pipeline/net_split.h"
 
 namespace foldwright {
@@ -61,7 +62,33 @@ std::vector<Footprint> bare_footprints(const JobState& state) {
   return prints;
 }
 
+/// Whether a panel is longer than the sheet's shorter side anywhere, so that it may not fit.
+bool is_long(const DualGraph& graph, int panel, double length) {
+  const auto triangles = graph.panel_triangles(panel);
+  const Vec2& from = triangles[0][0];
+  return std::ranges::any_of(triangles, [&](const Triangle2& triangle) {
+    return std::ranges::any_of(triangle,
+                               [&](const Vec2& p) { return 2 * (p - from).norm() > length; });
+  });
+}
+
 }  // namespace
+
+void check_panels_fit(const JobState& state) {
+  const SizeOptions& size = state.options.size;
+  if (size.by == Sizing::kFit || size.by == Sizing::kSheets) return;
+  const Mesh& mesh = state.surface->mesh;
+  const DualGraph& graph = state.surface->graph;
+  const double scale = fixed_scale(mesh, size);
+  const Extent room = printable(state.options.sheet);
+  const double shorter = std::min(room.width, room.height) / scale;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    if (!is_long(graph, panel, shorter)) continue;
+    Net net = make_net(mesh, restrict_to(graph, std::span(&panel, 1)), {});
+    for (Vec2& p : net.vertices) p *= scale;
+    if (!fits_somehow(footprint_of(net), room)) throw too_large(state, net);
+  }
+}
 
 ScaleFinder::ScaleFinder(const JobState& state)
     : state_(state), high_(fitting_scale(bare_footprints(state), state.options.sheet)) {

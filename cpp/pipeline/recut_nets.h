@@ -7,6 +7,10 @@ namespace foldwright {
 /// Code of what is thrown for a single face that fits no sheet.
 inline constexpr const char* kFaceTooLarge = "face-too-large";
 
+/// Looks at the size asked for before anything is searched: a flat face cannot be cut again.
+/// \throw InputError `kFaceTooLarge` if one does not fit the sheet, or "bad-margin"
+void check_panels_fit(const JobState& state);
+
 /// Finds the largest scale in millimetres per model unit at which every net of a state fits a
 /// sheet, with all the flaps that it would have if sheets had no end; at most that of the earlier
 /// result, if there is one to keep to.

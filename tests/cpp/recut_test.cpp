@@ -36,5 +36,32 @@ TEST(ChooseCut, KeepsToTheFoldsOfATree) {
   EXPECT_TRUE(cut == 0 || cut == 1) << cut;
 }
 
+/// Squares that fold around each other in a spiral, `turns` times.
+Plates spiral(int turns) {
+  Plates plates;
+  Vec2 at(0, 0);
+  Vec2 step(1, 0);
+  for (int run = 1; run <= 2 * turns; ++run) {
+    for (int i = 0; i < run; ++i) {
+      plates.corners.push_back({at, at + Vec2(1, 0), at + Vec2(1, 1), at + Vec2(0, 1)});
+      plates.areas.push_back(1);
+      const auto last = static_cast<int>(plates.areas.size()) - 1;
+      if (last > 0) plates.folds.push_back({last - 1, last});
+      at += step;
+    }
+    step = Vec2(-step.y(), step.x());
+  }
+  return plates;
+}
+
+TEST(ChooseCut, EndsSoonWherePiecesComeByTheHundred) {
+  // Looked at to the end, all ways to cut it take hours.
+  const Plates plates = spiral(7);
+  ASSERT_LE(plates.areas.size(), 250u);
+  const int cut = choose_cut(plates, {1.2, 1.2});
+  EXPECT_GE(cut, 0);
+  EXPECT_LT(cut, static_cast<int>(plates.folds.size()));
+}
+
 }  // namespace
 }  // namespace foldwright::testing
