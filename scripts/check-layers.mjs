@@ -24,9 +24,10 @@ const mayKnow = {
   'web/view': ['model'],
   'web/export': ['model'],
   'web/pwa': ['model'],
-  'web/cli': web,
-  'web/app': ['pwa', ...web],
-  'web/element': ['app', ...web],
+  'web/api': ['export', 'core', 'model'],
+  'web/cli': ['api', 'export', 'core', 'model'],
+  'web/app': ['api', 'pwa', ...web],
+  'web/element': ['api', 'app', ...web],
 };
 
 const layerOf = (path) => path.match(/^(?:cpp|web)\/[^/]+(?=\/)|^bindings(?=\/)/)?.[0];

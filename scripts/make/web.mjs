@@ -18,9 +18,21 @@ function makeSamples() {
   once('samples', contentFingerprint(inputs), () => run(process.execPath, [script]), [output]);
 }
 
+/** Declarations of the package, for those who call it from TypeScript. */
+function writeTypes() {
+  const tsc = join(root, 'node_modules/typescript/bin/tsc');
+  run(process.execPath, [tsc, '-p', 'tsconfig.package.json'], { cwd: root });
+}
+
 export function buildWeb() {
   makeSamples();
-  const inputs = ['web', 'package-lock.json', 'scripts/make', 'tsconfig.json'];
+  const inputs = [
+    'web',
+    'package-lock.json',
+    'scripts/make',
+    'tsconfig.json',
+    'tsconfig.package.json',
+  ];
   const print = contentFingerprint(inputs.map((name) => join(root, name)));
   const vite = join(root, 'node_modules/vite/bin/vite.js');
   for (const { name, config, output } of bundles) {
@@ -34,5 +46,6 @@ export function buildWeb() {
       [join(root, output)],
     );
   }
+  once('types', print, writeTypes, [join(root, 'dist/types/api/node.d.ts')]);
   once('notices', print, writeNotices, [join(root, 'dist/THIRD_PARTY_NOTICES')]);
 }

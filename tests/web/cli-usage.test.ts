@@ -1,7 +1,7 @@
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { laterRows } from '../../web/cli/options.js';
+import { laterRows } from '../../web/model/options.js';
 import { foldwright, inFolder, isBuilt } from './command.js';
 
 /** What the command line refuses before it looks at a model. */

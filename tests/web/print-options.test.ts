@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { lookOf } from '../../web/export/line-style.js';
 import { parseCommandLine } from '../../web/cli/command-line.js';
-import { printOptions } from '../../web/cli/options.js';
+import { printOptions } from '../../web/model/options.js';
 import { defaultPrint } from '../../web/model/print-options.js';
 
 const optionsOf = (...args: string[]) =>

@@ -1,11 +1,11 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
-import type { PartEdit } from '../model/job.js';
-import { merge, split } from './edits.js';
+import type { DocumentEdit } from '../model/document-edits.js';
+import { merge, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
 import { idleOptions } from './idle-options.js';
-import { laterRows, rows, sizings, type Row, type Settings } from './options.js';
-import { BadValue, type Parser } from './values.js';
+import { laterRows, rows, sizings, type Row, type Settings } from '../model/options.js';
+import { BadValue, type Parser } from '../model/option-values.js';
 
 /** What a command line asks for. */
 export interface Commands {
@@ -16,8 +16,8 @@ export interface Commands {
   settings: Settings;
   /** What was asked for in vain, in phrases for people. */
   idle: string[];
-  /** What is to be changed in the parts that come out. */
-  edits: PartEdit[];
+  /** What is to be changed in what comes out, one step after the other; each is made in one go. */
+  edits: (readonly DocumentEdit[])[];
   /** The same, as it was written. */
   editWords: EditWords;
 }
@@ -26,6 +26,7 @@ export interface Commands {
 export interface EditWords {
   split: string[];
   merge: string[];
+  edits?: string;
 }
 
 interface Flags extends Partial<EditWords> {
@@ -82,6 +83,7 @@ function describe(): Command {
       collect,
     )
     .option('--merge <a,b>', 'merge these parts that touch; may be given several times', collect)
+    .option('--edits <file>', 'then make these edits, a JSON list')
     .option('--quiet', 'nothing on stderr but errors')
     .version(version)
     .exitOverride()
@@ -123,6 +125,16 @@ function settingsOf(program: Command): Settings {
   return settings;
 }
 
+/** Splits and merges go by the parts of one result, and so are one step. */
+function stepsOf({ split: splits, merge: merges, edits }: EditWords): Commands['edits'] {
+  const together = [
+    ...splits.map((text) => parsed('split', split, text)),
+    ...merges.map((text) => parsed('merge', merge, text)),
+  ];
+  const listed = edits === undefined ? [] : readEditsFile(edits);
+  return [...(together.length > 0 ? [together] : []), ...listed.map((edit) => [edit])];
+}
+
 /**
  * Reads the arguments after the program's name.
  * @throws Exit for anything that cannot be done, and after printing help or the version
@@ -138,7 +150,8 @@ export function parseCommandLine(args: string[]): Commands {
   }
   refuseLater(program);
   const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
-  const editWords = { split: words.split ?? [], merge: words.merge ?? [] };
+  const { split: splits = [], merge: merges = [], edits } = words;
+  const editWords = { split: splits, merge: merges, ...(edits !== undefined && { edits }) };
   const settings = settingsOf(program);
   return {
     model: program.args[0]!,
@@ -147,10 +160,7 @@ export function parseCommandLine(args: string[]): Commands {
     quiet,
     settings,
     idle: idleOptions(givenRows(program), settings),
-    edits: [
-      ...editWords.split.map((text) => parsed('split', split, text)),
-      ...editWords.merge.map((text) => parsed('merge', merge, text)),
-    ],
+    edits: stepsOf(editWords),
     editWords,
   };
 }

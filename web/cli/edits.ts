@@ -1,24 +1,35 @@
-import { merging, splitting } from '../model/edits.js';
-import type { PartEdit } from '../model/job.js';
-import { BadValue, whole } from './values.js';
+import { readFileSync } from 'node:fs';
+import { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
+import { BadValue, whole } from '../model/option-values.js';
+import { usageError } from './exit.js';
 
 // Far more parts than anyone could glue; the engine knows how many there are.
 const anyPart = whole(1, 10_000_000);
 
-function partOf(text: string): number {
-  return anyPart(text) - 1;
-}
-
-/** PART[:K], parts counted from 1 as in notes. */
-export function split(text: string): PartEdit {
+/** PART[:K] */
+export function split(text: string): DocumentEdit {
   const [part = '', into = '2', ...rest] = text.split(':');
   if (rest.length > 0) throw new BadValue('is not PART or PART:K');
-  return splitting(partOf(part), anyPart(into));
+  return { kind: 'split', part: anyPart(part), into: anyPart(into) };
 }
 
-/** A,B, parts counted from 1 as in notes. */
-export function merge(text: string): PartEdit {
-  const parts = text.split(',').map(partOf);
+/** A,B */
+export function merge(text: string): DocumentEdit {
+  const parts = text.split(',').map(anyPart);
   if (parts.length < 2) throw new BadValue('is not A,B');
-  return merging(parts);
+  return { kind: 'merge', parts };
+}
+
+/**
+ * A file with a list of edits, as JSON.
+ * @throws Exit if it cannot be read, or holds anything else
+ */
+export function readEditsFile(path: string): DocumentEdit[] {
+  try {
+    return readEdits(JSON.parse(readFileSync(path, 'utf8')));
+  } catch (error) {
+    if (error instanceof BadEdit) throw usageError(`'${path}': ${error.message}`);
+    const reason = error instanceof SyntaxError ? 'is no JSON' : 'cannot be read';
+    throw usageError(`'${path}' ${reason}`);
+  }
 }

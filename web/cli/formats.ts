@@ -1,55 +1,27 @@
 import { extname } from 'node:path';
-import type { JobResult } from '../model/job.js';
-import { writeFold } from '../export/fold.js';
-import { writeGlb } from '../export/glb.js';
+import { exportFormats, writeFiles, type ExportFormat } from '../export/files.js';
 import type { Print } from '../export/print.js';
-import { sheetName } from '../export/sheet-name.js';
-import { writeSvg } from '../export/svg.js';
+import type { JobResult } from '../model/job.js';
 import { usageError } from './exit.js';
 import type { OutputFile } from './write-files.js';
 
-type Renderer = (
-  path: string,
-  result: JobResult,
-  print: Print,
-) => OutputFile[] | Promise<OutputFile[]>;
+const laterFormats = ['dxf', 'png'];
 
-function renderSvg(path: string, _result: JobResult, print: Print): OutputFile[] {
-  const count = print.sheets.length;
-  return print.sheets.map((_, sheet) => ({
-    path: sheetName(path, sheet, count),
-    content: writeSvg(print, sheet),
-  }));
-}
+const endingOf = (path: string): string => extname(path).slice(1).toLowerCase();
 
-async function renderPdf(path: string, _result: JobResult, print: Print): Promise<OutputFile[]> {
-  // Most of the program's size, and most runs do without.
-  const { writePdf } = await import('../export/pdf.js');
-  return [{ path, content: await writePdf(print) }];
-}
-
-const renderers: Record<string, Renderer> = {
-  '.fold': (path, result) => [{ path, content: writeFold(result) }],
-  '.svg': renderSvg,
-  '.pdf': renderPdf,
-  '.glb': (path, result) => [{ path, content: writeGlb(result) }],
-};
-
-const laterFormats = ['.dxf', '.png'];
-
-function formatOf(path: string): string {
-  return extname(path).toLowerCase();
+function formatOf(path: string): ExportFormat | undefined {
+  return exportFormats.find((format) => format === endingOf(path));
 }
 
 /** @throws Exit for an output whose ending is no format */
 export function checkFormat(path: string): void {
-  const format = formatOf(path);
-  if (format in renderers) return;
-  if (laterFormats.includes(format)) {
-    throw usageError(`'${path}': the format ${format} does not exist in this version yet`);
+  if (formatOf(path) !== undefined) return;
+  const ending = endingOf(path);
+  if (laterFormats.includes(ending)) {
+    throw usageError(`'${path}': the format .${ending} does not exist in this version yet`);
   }
-  const known = Object.keys(renderers).join(', ');
-  throw usageError(`'${path}': the ending '${format}' is none of ${known}`);
+  const known = exportFormats.map((format) => `.${format}`).join(', ');
+  throw usageError(`'${path}': the ending '${extname(path).toLowerCase()}' is none of ${known}`);
 }
 
 /** All files of all outputs, not yet written. */
@@ -60,7 +32,8 @@ export async function renderOutputs(
 ): Promise<OutputFile[]> {
   const files: OutputFile[] = [];
   for (const path of outputs) {
-    files.push(...(await renderers[formatOf(path)]!(path, result, print)));
+    const written = await writeFiles(formatOf(path)!, { result, print, name: path });
+    files.push(...written.map(({ name, bytes }) => ({ path: name, content: bytes })));
   }
   return files;
 }

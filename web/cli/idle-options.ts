@@ -1,5 +1,5 @@
 /** Options that were given and that nothing reads, because of what others say. */
-import type { Settings } from './options.js';
+import type { Settings } from '../model/options.js';
 
 interface Need {
   /** What the option is about, in the words of the command line. */

@@ -1,20 +1,20 @@
-import { basename, extname, resolve } from 'node:path';
+import { basename, resolve } from 'node:path';
 import { version } from '../../package.json';
-import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
+import { open } from '../api/node.js';
+import type { Session } from '../api/session.js';
+import type { WorkOptions } from '../api/work.js';
+import type { TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
 import { nodePool } from '../core/node-pool.js';
 import type { TimedEvent } from '../core/protocol.js';
-import { preparePrint, type Print } from '../export/print.js';
+import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
-import { startFrom } from '../model/edits.js';
 import { leftOut } from '../model/left-out.js';
-import { addSeconds } from '../model/stage-seconds.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
-import { readFontFile } from './font-file.js';
 import { checkFormat, renderOutputs } from './formats.js';
 import { exitOf } from './job-failure.js';
-import { echo, jobOptions, printOptions } from './options.js';
+import { echo, jobOptions } from '../model/options.js';
 import { Progress } from './progress.js';
 import { readModelFile } from './read-model-file.js';
 import { summarize } from './summary.js';
@@ -32,17 +32,20 @@ function checkOutputs({ model, outputs, report }: Commands): void {
   paths.forEach(checkWritable);
 }
 
-/** A result, with what went into the one that it was made of. */
-function together(before: TimedResult, result: TimedResult): TimedResult {
-  const { generations, moves } = before.search;
-  return {
-    ...result,
-    search: {
-      generations: generations + result.search.generations,
-      moves: moves + result.search.moves,
-    },
-    seconds: addSeconds(before.seconds, result.seconds),
-  };
+/** Makes the edits that were asked for, in their order; refused ones end the program. */
+async function edit(session: Session, { edits }: Commands, work: WorkOptions): Promise<void> {
+  for (const [index, step] of edits.entries()) {
+    const made = await session.apply(step, work);
+    if (made.ok) continue;
+    const place = edits.length > 1 ? `edit ${index + 1}: ` : '';
+    throw usageError(`${place}${made.params.text}`);
+  }
+}
+
+/** What the command line's files are made of. */
+interface Outcome {
+  result: TimedResult;
+  print: Print;
 }
 
 /** Runs the job in workers, so that this thread hears signals at once. */
@@ -50,33 +53,25 @@ async function runEngine(
   commands: Commands,
   bytes: Uint8Array,
   progress: Progress | null,
-): Promise<TimedResult> {
+): Promise<Outcome> {
   const { edits, model, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
+  const session = await open([{ name: basename(model), bytes }], { pool });
   const hear = (event: TimedEvent): void => progress?.hear(event);
-  const run = (options: RunOptions): Promise<TimedResult> =>
-    runJob(pool, bytes, basename(model), jobOptions(settings), options);
+  // Nobody needs to know what is wrong with a result that is still to be changed.
+  const hearWork = (event: TimedEvent): void => {
+    if (event.type !== 'notice') hear(event);
+  };
   try {
-    if (edits.length === 0) return await run({ onEvent: hear });
-    // Nobody needs to know what is wrong with a result that is still to be changed.
-    const before = await run({ onEvent: (event) => event.type === 'notice' || hear(event) });
-    return together(before, await run({ onEvent: hear, start: startFrom(before, edits) }));
+    await session.runWith(settings, { onEvent: edits.length === 0 ? hear : hearWork });
+    await edit(session, commands, { onEvent: hearWork });
+    return { result: await session.result(), print: await session.print() };
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
     progress?.clear();
     pool.close();
   }
-}
-
-function layOut({ model, settings }: Commands, result: TimedResult): Promise<Print> {
-  return preparePrint({
-    result,
-    title: basename(model, extname(model)),
-    margin: settings.margin,
-    options: printOptions(settings),
-    loadFont: readFontFile,
-  });
 }
 
 function renderReport(
@@ -109,8 +104,8 @@ async function run(args: string[]): Promise<void> {
   checkOutputs(commands);
   const progress = commands.quiet ? null : new Progress(process.stderr);
   commands.idle.forEach((text) => progress?.note(text));
-  const result = await runEngine(commands, readModelFile(commands.model), progress);
-  const print = await layOut(commands, result);
+  const bytes = readModelFile(commands.model);
+  const { result, print } = await runEngine(commands, bytes, progress);
   const files = await renderOutputs(commands.outputs, result, print);
   files.push(...renderReport(commands, files, result, print));
   remarks(result, print).forEach((text) => progress?.note(text));

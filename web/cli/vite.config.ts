@@ -16,7 +16,11 @@ export default defineConfig({
     outDir: path('../../dist/cli'),
     emptyOutDir: true,
     rolldownOptions: {
-      input: { foldwright: path('foldwright.ts'), 'node-worker': path('../core/node-worker.ts') },
+      input: {
+        foldwright: path('foldwright.ts'),
+        index: path('../api/node.ts'),
+        'node-worker': path('../core/node-worker.ts'),
+      },
       output: {
         entryFileNames: '[name].js',
         // Beside the entries: code that looks for its neighbours by import.meta.url finds them from any chunk.

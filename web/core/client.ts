@@ -53,7 +53,7 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
       {
         onEvent(event) {
           onEvent?.(event);
-          if (event.type === 'error') fail(new JobError(event.code, event.text));
+          if (event.type === 'error') fail(new JobError(event.code, event.text, event.faces));
           if (event.type !== 'done') return;
           const result = { ...event.result, seconds: event.seconds };
           settle(() => resolve(result));

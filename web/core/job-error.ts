@@ -1,10 +1,14 @@
-/** A job that failed: `code` is for programs, the message is one sentence for people. */
+/**
+ * A job that failed: `code` is for programs, the message is one sentence for people, `faces` are those
+ * of the repaired model that it is about.
+ */
 export class JobError extends Error {
   override readonly name = 'JobError';
 
   constructor(
     readonly code: string,
     sentence: string,
+    readonly faces?: Int32Array,
   ) {
     super(sentence);
   }

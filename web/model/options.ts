@@ -1,7 +1,7 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
-import { defaultOptions } from '../model/default-options.js';
-import type { JobOptions } from '../model/job.js';
-import { defaultPrint, measurable, type PrintOptions } from '../model/print-options.js';
+import { defaultOptions } from './default-options.js';
+import type { JobOptions } from './job.js';
+import { defaultPrint, measurable, type PrintOptions } from './print-options.js';
 import {
   choice,
   colour,
@@ -12,7 +12,7 @@ import {
   whole,
   wordOr,
   type Parser,
-} from './values.js';
+} from './option-values.js';
 
 /** An option with a value. */
 export interface Row<Value> {

@@ -1,5 +1,5 @@
 /** Parsers for the values of options. A parser throws `BadValue` with what it would have taken. */
-import { paperSizes, type PaperSize } from '../model/paper.js';
+import { paperSizes, type PaperSize } from './paper.js';
 
 export type Parser<Value> = (text: string) => Value;
 

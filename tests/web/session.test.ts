@@ -1,0 +1,234 @@
+/** Documents: opened, edited step by step, undone, written; through workers. */
+import { readFile } from 'node:fs/promises';
+import { describe, expect, it } from 'vitest';
+import { makeDoor } from '../../web/api/door.js';
+import type { Applied, Session } from '../../web/api/session.js';
+import type { Pool } from '../../web/core/pool.js';
+import type { DocumentEdit } from '../../web/model/document-edits.js';
+import { checkFold } from './fold-check.js';
+import { parseFold } from './fold-file.js';
+import { objText, wavyRing } from './model-text.js';
+import { Dice, randomEdit } from './random-edits.js';
+import { schemaErrors } from './report-schema.js';
+import { isEngineBuilt, withThreads } from './thread-pool.js';
+
+const bytes = new TextEncoder().encode(objText(wavyRing(10)));
+const files = [{ name: 'models/ring.obj', bytes }];
+const options = { parts: 4, height: 60, compact: 'off', runs: 40 } as const;
+
+/** More of them take minutes; `EDITS` asks for so many on each of the seeds. */
+const editCount = Number(process.env['EDITS'] ?? 25);
+
+const fonts = new URL('../../dist/cli/fonts/', import.meta.url);
+const readFont = async (file: string): Promise<Uint8Array> => readFile(new URL(file, fonts));
+
+const door = (pool: Pool): ReturnType<typeof makeDoor> =>
+  makeDoor({ startPool: () => pool, loadFont: readFont });
+
+async function withSession(
+  work: (session: Session, pool: Pool) => Promise<void>,
+  size = 2,
+): Promise<void> {
+  await withThreads(size, async (pool) => {
+    const session = await door(pool).open(files, { pool });
+    await session.run(options);
+    await work(session, pool);
+  });
+}
+
+async function foldText(session: Session): Promise<string> {
+  const [file] = await session.export('fold');
+  return new TextDecoder().decode(file!.bytes);
+}
+
+async function made(session: Session, edit: DocumentEdit): Promise<Applied> {
+  const applied = await session.apply(edit);
+  if (!applied.ok) throw new Error(`${edit.kind}: ${applied.code} ${applied.params.text}`);
+  return applied;
+}
+
+/** The first fold of the piece with most, as vertices of the model. */
+async function someFold(session: Session): Promise<[number, number]> {
+  const { top, nets } = parseFoldOf(await foldText(session));
+  const largest = Math.max(...nets.map(({ edges_vertices }) => edges_vertices.length));
+  const net = nets.find(({ edges_vertices }) => edges_vertices.length === largest)!;
+  const sources = net['faces_foldwright:source'];
+  for (const [e, [v, w]] of net.edges_vertices.entries()) {
+    if (!'MV'.includes(net.edges_assignment[e]!)) continue;
+    for (const [f, face] of net.faces_vertices.entries()) {
+      const [i, j] = [face.indexOf(v!), face.indexOf(w!)];
+      if (i < 0 || j < 0) continue;
+      const corners = top[sources[f]!]!;
+      return [corners[i]!, corners[j]!];
+    }
+  }
+  throw new Error('There is no fold');
+}
+
+function parseFoldOf(text: string): {
+  top: number[][];
+  nets: ReturnType<typeof parseFold>['nets'];
+} {
+  const { model, nets } = parseFold(text);
+  return { top: model.faces_vertices, nets };
+}
+
+describe.skipIf(!isEngineBuilt)('a session', () => {
+  it('unfolds, and writes every format', () =>
+    withThreads(2, async (pool) => {
+      const unfolded = await door(pool).unfold(files, options, { pool });
+      expect(schemaErrors(unfolded.report)).toEqual([]);
+      expect(unfolded.report.parts).toBe(4);
+      expect(unfolded.report.options).toMatchObject({ parts: 4, paper: 'A4' });
+      const starts = { fold: '{', svg: '<', pdf: '%PDF', glb: 'glTF' } as const;
+      for (const format of ['fold', 'svg', 'pdf', 'glb'] as const) {
+        const [file] = await unfolded.export(format);
+        expect(file!.name).toMatch(new RegExp(`^ring(-1)?\\.${format}$`));
+        expect(new TextDecoder().decode(file!.bytes.subarray(0, 4))).toContain(starts[format]);
+      }
+      const large = await unfolded.export('svg', { paper: 'A2' });
+      expect(large).toHaveLength(1);
+      expect(new TextDecoder().decode(large[0]!.bytes)).toContain('width="420mm"');
+    }));
+
+  it('cuts and joins, and leaves other pieces where they are', () =>
+    withSession(async (session) => {
+      const before = await session.result();
+      const edge = await someFold(session);
+      const { changed } = await made(session, { kind: 'cut', edge });
+      expect(changed).toHaveLength(2);
+      const after = await session.result();
+      expect(after.pieces).toHaveLength(before.pieces.length + 1);
+      const places = new Set(
+        before.pieces.map(({ sheet, x, y }) => `${sheet} ${x.toFixed(6)} ${y.toFixed(6)}`),
+      );
+      const moved = after.pieces.filter(
+        ({ sheet, x, y }) => !places.has(`${sheet} ${x.toFixed(6)} ${y.toFixed(6)}`),
+      );
+      expect(moved.length).toBeLessThanOrEqual(2);
+      await made(session, { kind: 'join', edge });
+      expect(session.report.pieces).toHaveLength(before.pieces.length);
+      expect(session.edits).toHaveLength(2);
+    }));
+
+  it('gives the same bytes again after undo and redo', () =>
+    withSession(async (session) => {
+      const first = await foldText(session);
+      await made(session, { kind: 'split', part: 1, into: 2 });
+      await made(session, { kind: 'name', part: 2, text: 'Crest' });
+      const last = await foldText(session);
+      expect(session.undo()).toBe(true);
+      expect(session.undo()).toBe(true);
+      expect(session.undo()).toBe(false);
+      expect(session.report.parts).toBe(4);
+      expect(await foldText(session)).toBe(first);
+      expect([session.redo(), session.redo(), session.redo()]).toEqual([true, true, false]);
+      expect(await foldText(session)).toBe(last);
+      // Another edit takes the place of what was undone.
+      session.undo();
+      await made(session, { kind: 'print', options: { style: 'pepakura' } });
+      expect(session.canRedo).toBe(false);
+      expect(session.edits.map(({ kind }) => kind)).toEqual(['split', 'print']);
+    }));
+
+  it('refuses what cannot be done by a code, and changes nothing', () =>
+    withSession(async (session) => {
+      const before = await foldText(session);
+      const edge = await someFold(session);
+      const refused: [DocumentEdit, string][] = [
+        [{ kind: 'cut', edge: [0, 0] }, 'no-edge'],
+        [{ kind: 'join', edge }, 'already-joined'],
+        [{ kind: 'split', part: 9, into: 2 }, 'bad-edit'],
+        [{ kind: 'name', part: 9, text: 'x' }, 'no-part'],
+        [{ kind: 'name', part: 1, text: 'a:b' }, 'bad-option'],
+        [{ kind: 'unpin', piece: 1 }, 'not-pinned'],
+        [{ kind: 'place', piece: 99, sheet: 1, x_mm: 0, y_mm: 0, turn_deg: 0 }, 'no-piece'],
+        [{ kind: 'place', piece: 1, sheet: 1, x_mm: -50, y_mm: 0, turn_deg: 0 }, 'bad-pin'],
+        [{ kind: 'paper', options: { parts: 3 } }, 'bad-option'],
+        [{ kind: 'paper', options: { paper: 'A9' } }, 'bad-option'],
+        [{ kind: 'print', options: { colour: 'part' } }, 'bad-option'],
+        [{ kind: 'assign', faces: [1e6], part: 1 }, 'no-face'],
+        [{ kind: 'flap', edge: [0, 0], side: 'both' }, 'bad-option'],
+      ];
+      for (const [edit, code] of refused) {
+        expect(await session.apply(edit), JSON.stringify(edit)).toMatchObject({ ok: false, code });
+      }
+      expect(session.edits).toEqual([]);
+      expect(await foldText(session)).toBe(before);
+    }));
+
+  it('keeps a pinned piece through other edits until it is let go', () =>
+    withSession(async (session) => {
+      const { sheet, x, y, angle } = (await session.result()).pieces[0]!;
+      const place = { sheet: sheet + 1, x_mm: x, y_mm: y, turn_deg: angle };
+      await made(session, { kind: 'place', piece: 1, ...place });
+      await made(session, { kind: 'paper', options: { paper: 'A3' } });
+      const piece = (await session.result()).pieces[0]!;
+      expect([piece.x, piece.y]).toEqual([expect.closeTo(x, 6), expect.closeTo(y, 6)]);
+      await made(session, { kind: 'unpin', piece: 1 });
+      expect(await session.apply({ kind: 'unpin', piece: 1 })).toMatchObject({ ok: false });
+    }));
+
+  it('loses nothing when its workers end in the middle of an edit', () =>
+    withSession(async (session, pool) => {
+      await made(session, { kind: 'split', part: 1, into: 2 });
+      const before = await foldText(session);
+      const dying = session.apply({ kind: 'split', part: 2, into: 2 });
+      setTimeout(() => pool.close(), 20);
+      await expect(dying).rejects.toThrow('stopped unexpectedly');
+      expect(await foldText(session)).toBe(before);
+      await made(session, { kind: 'split', part: 2, into: 2 });
+      expect(session.edits).toHaveLength(2);
+    }));
+
+  it('can be cancelled', () =>
+    withSession(async (session) => {
+      const signal = AbortSignal.timeout(5);
+      const edit = { kind: 'split', part: 1, into: 3 } as const;
+      await expect(session.apply(edit, { signal })).rejects.toThrow();
+      expect(session.edits).toEqual([]);
+      await made(session, edit);
+    }));
+
+  it('asks for one model', async () => {
+    const none = makeDoor({ startPool: () => null as never, loadFont: () => null as never });
+    await expect(none.open([])).rejects.toThrow('no model');
+    await expect(none.open([...files, ...files])).rejects.toThrow('two models');
+  });
+
+  it('refuses options that there are not', () =>
+    withThreads(1, async (pool) => {
+      const { unfold } = door(pool);
+      const attempt = (asked: object): Promise<unknown> => unfold(files, asked, { pool });
+      await expect(attempt({ parts: 0 })).rejects.toThrow("option 'parts': '0'");
+      await expect(attempt({ partz: 1 })).rejects.toThrow("no option 'partz'");
+      await expect(attempt({ height: 10, width: 10 })).rejects.toThrow('given by');
+      await expect(attempt({ margin: 200 })).rejects.toThrow('leave nothing');
+    }));
+
+  it('stays sound over random edits and undos, whoever works on them', async () => {
+    const results: string[] = [];
+    for (const size of [1, 2]) {
+      await withSession(async (session) => {
+        const dice = new Dice(7);
+        const first = await foldText(session);
+        for (let i = 0; i < editCount; ++i) {
+          const chance = dice.roll();
+          if (chance < 0.1) session.undo();
+          else if (chance < 0.15) session.redo();
+          else await session.apply(randomEdit(dice, await session.result()));
+          const text = await foldText(session);
+          expect(
+            checkFold(parseFold(text)),
+            `edit ${i}: ${JSON.stringify(session.edits.at(-1))}`,
+          ).toEqual([]);
+        }
+        expect(schemaErrors(session.report)).toEqual([]);
+        results.push(session.report.result_hash);
+        while (session.undo());
+        expect(await foldText(session)).toBe(first);
+      }, size);
+    }
+    expect(results[0]).toBe(results[1]);
+  }, 600_000);
+});

@@ -1,0 +1,36 @@
+/** What a document is at one point of its history. */
+import type { TimedResult } from '../core/client.js';
+import { jobOptions, printOptions, type Settings } from '../model/options.js';
+import type { FlapChoice, JobOptions, PartName, PinnedPiece } from '../model/job.js';
+import type { PrintOptions } from '../model/print-options.js';
+
+/** All that was asked for; plain values. */
+export interface Wishes {
+  settings: Settings;
+  flapEdges: readonly FlapChoice[];
+  names: readonly PartName[];
+  pins: readonly PinnedPiece[];
+}
+
+/** What was asked for, and what came of it; never changed. */
+export interface DocumentState {
+  wishes: Wishes;
+  result: TimedResult;
+}
+
+/** What the engine is asked for. */
+export function jobOf({ settings, flapEdges, names, pins }: Wishes): JobOptions {
+  return { ...jobOptions(settings), flapEdges: [...flapEdges], names: [...names], pins: [...pins] };
+}
+
+/** How the sheets shall look. */
+export function printOf({ settings }: Wishes): PrintOptions {
+  return printOptions(settings);
+}
+
+/** Bytes that the arrays of a value hold, roughly; texts and small numbers are not counted. */
+export function bytesOf(value: unknown): number {
+  if (ArrayBuffer.isView(value)) return value.byteLength;
+  if (typeof value !== 'object' || value === null) return 0;
+  return Object.values(value).reduce<number>((sum, part) => sum + bytesOf(part), 0);
+}

@@ -1,0 +1,74 @@
+/** The two ways in, whatever they run on. */
+import type { TimedResult } from '../core/client.js';
+import type { Pool } from '../core/pool.js';
+import type { ExportFormat, WrittenFile } from '../export/files.js';
+import type { FontLoader } from '../export/font-set.js';
+import type { Report } from '../export/report.js';
+import type { Options } from '../model/written-options.js';
+import { chooseModel } from './model-files.js';
+import { Session } from './session.js';
+import type { ModelFile, WorkOptions } from './work.js';
+
+export interface OpenOptions {
+  /** Workers to share with others; without it the session starts its own and ends them. */
+  pool?: Pool;
+}
+
+/** What came out of a model, ready to be written. */
+export interface Unfolded {
+  readonly report: Report;
+  /** All of it, as plain data. */
+  readonly result: TimedResult;
+  /** Writes it in a format; see `Session.export`. */
+  export(format: ExportFormat, options?: Options): Promise<WrittenFile[]>;
+}
+
+export interface Door {
+  /** Opens a model; rejects with `BadFiles` unless there is just one among the files. */
+  open: (files: readonly ModelFile[], options?: OpenOptions) => Promise<Session>;
+  /** Unfolds a model once; rejects as `open` and `Session.run` do. */
+  unfold: (
+    files: readonly ModelFile[],
+    options?: Options,
+    work?: WorkOptions & OpenOptions,
+  ) => Promise<Unfolded>;
+}
+
+/** What a door needs of where it stands. */
+export interface DoorOptions {
+  startPool: () => Pool;
+  loadFont: FontLoader;
+}
+
+export function makeDoor({ startPool, loadFont }: DoorOptions): Door {
+  // Asynchronous, so that reading files of several kinds can become work.
+  const open = async (
+    files: readonly ModelFile[],
+    { pool }: OpenOptions = {},
+  ): Promise<Session> => {
+    const surroundings = { pool: pool ?? startPool(), loadFont, ownsPool: !pool };
+    return Promise.resolve(new Session(chooseModel(files), surroundings));
+  };
+  const unfold: Door['unfold'] = async (files, options = {}, { pool, ...work } = {}) => {
+    const session = await open(files, pool ? { pool } : {});
+    try {
+      const report = await session.run(options, work);
+      const result = await session.result();
+      return {
+        report,
+        result,
+        async export(format, look = {}) {
+          try {
+            return await session.export(format, look);
+          } finally {
+            session.close();
+          }
+        },
+      };
+    } finally {
+      // Workers of its own are started again if an export needs another layout.
+      session.close();
+    }
+  };
+  return { open, unfold };
+}

@@ -1,0 +1,176 @@
+/** What an edit asks of the engine. */
+import { startFrom, startInPlace } from '../model/edits.js';
+import type { DocumentEdit } from '../model/document-edits.js';
+import type { FlapChoice, JobStart, NetEdit, PartEdit, Piece } from '../model/job.js';
+import { renamed } from '../model/edits.js';
+import {
+  BadOption,
+  changedSettings,
+  paperOptions,
+  printOptionNames,
+} from '../model/written-options.js';
+import type { DocumentState, Wishes } from './document-state.js';
+
+/** Why an edit cannot be made; nothing was changed. */
+export interface Refusal {
+  ok: false;
+  /** A stable word for programs. */
+  code: string;
+  params: {
+    /** One sentence for people. */
+    text: string;
+    /** Faces of the repaired model that are in the way. */
+    faces?: number[];
+  };
+}
+
+/** A job that makes the next state, or none where only lines look different. */
+export interface EditPlan {
+  ok: true;
+  wishes: Wishes;
+  start: JobStart | null;
+  /** Of this job alone. */
+  seed?: number;
+}
+
+export function refusal(code: string, text: string, faces?: Iterable<number>): Refusal {
+  return { ok: false, code, params: { text, ...(faces && { faces: [...faces] }) } };
+}
+
+type PartChange = Extract<DocumentEdit, { kind: 'split' | 'merge' | 'again' }>;
+
+/** Whether an edit makes parts of whole parts, so that several can be made in one go. */
+export function isPartChange(edit: DocumentEdit): edit is PartChange {
+  return edit.kind === 'split' || edit.kind === 'merge' || edit.kind === 'again';
+}
+
+function partEditOf(edit: PartChange): PartEdit {
+  if (edit.kind === 'split') return { parts: [edit.part - 1], into: edit.into };
+  if (edit.kind === 'again') return { parts: [edit.part - 1], into: 1 };
+  return { parts: edit.parts.map((part) => part - 1), into: 1 };
+}
+
+const flapSides = { first: 'left', second: 'right', both: 'both', none: 'none' } as const;
+
+function isSameEdge({ from, to }: FlapChoice, [v, w]: readonly [number, number]): boolean {
+  return (from === v && to === w) || (from === w && to === v);
+}
+
+function withFlap(
+  choices: readonly FlapChoice[],
+  { edge, side }: Extract<DocumentEdit, { kind: 'flap' }>,
+): FlapChoice[] {
+  const others = choices.filter((choice) => !isSameEdge(choice, edge));
+  if (side === 'auto') return others;
+  return [...others, { from: edge[0], to: edge[1], flaps: flapSides[side] }];
+}
+
+/** Makes plans for one state. */
+class Planner {
+  constructor(private readonly state: DocumentState) {}
+
+  /** A plan that keeps all pieces but those that it is about where they are. */
+  private inPlace(wishes: Partial<Wishes>, parts: PartEdit[] = [], nets: NetEdit[] = []): EditPlan {
+    const start = startInPlace(this.state.result, parts, nets);
+    return { ok: true, wishes: { ...this.state.wishes, ...wishes }, start };
+  }
+
+  parts(edits: readonly PartChange[]): EditPlan {
+    const plan = this.inPlace({}, edits.map(partEditOf));
+    const again = edits.find((edit) => edit.kind === 'again');
+    return again ? { ...plan, seed: again.seed } : plan;
+  }
+
+  plan(edit: DocumentEdit): EditPlan | Refusal {
+    const { wishes } = this.state;
+    switch (edit.kind) {
+      case 'split':
+      case 'merge':
+      case 'again':
+        return this.parts([edit]);
+      case 'assign':
+        return this.inPlace({}, [], [{ ...edit, part: edit.part - 1 }]);
+      case 'cut':
+      case 'join':
+        return this.inPlace({}, [], [edit]);
+      case 'flap':
+        return this.inPlace({ flapEdges: withFlap(wishes.flapEdges, edit) });
+      case 'name':
+        return this.name(edit.part, edit.text);
+      case 'place':
+      case 'unpin':
+        return this.pin(edit);
+      case 'paper':
+        return this.paper(edit.options);
+      case 'print':
+        return this.print(edit.options);
+    }
+  }
+
+  private name(part: number, text: string): EditPlan | Refusal {
+    const { parts, names } = this.state.result;
+    if (part > parts) return refusal('no-part', `there is no part ${part}: there are ${parts}`);
+    return this.inPlace({ names: renamed(names, part - 1, text) });
+  }
+
+  private pin(edit: Extract<DocumentEdit, { kind: 'place' | 'unpin' }>): EditPlan | Refusal {
+    const piece: Piece | undefined = this.state.result.pieces[edit.piece - 1];
+    const count = this.state.result.pieces.length;
+    if (!piece) return refusal('no-piece', `there is no piece ${edit.piece}: there are ${count}`);
+    const [part, face] = [piece.part, piece.sources[0]!];
+    const { pins } = this.state.wishes;
+    const others = pins.filter((pin) => pin.part !== part || pin.face !== face);
+    if (edit.kind === 'unpin') {
+      if (others.length === pins.length) {
+        return refusal('not-pinned', `piece ${edit.piece} is not pinned`);
+      }
+      return this.inPlace({ pins: others });
+    }
+    const { x_mm: x, y_mm: y, turn_deg: angle } = edit;
+    return this.inPlace({ pins: [...others, { part, face, sheet: edit.sheet - 1, x, y, angle }] });
+  }
+
+  private paper(options: Readonly<Record<string, unknown>>): EditPlan {
+    const { wishes, result } = this.state;
+    const settings = changedSettings(wishes.settings, options, paperOptions);
+    const next = { ...wishes, settings };
+    // Numbers alone move nothing; all else lays the nets out anew.
+    const isWords = Object.keys(options).every((name) => name === 'ids');
+    return isWords
+      ? this.inPlace({ settings })
+      : { ok: true, wishes: next, start: startFrom(result, []) };
+  }
+
+  private print(options: Readonly<Record<string, unknown>>): EditPlan {
+    const settings = changedSettings(this.state.wishes.settings, options, printOptionNames);
+    return { ok: true, wishes: { ...this.state.wishes, settings }, start: null };
+  }
+}
+
+/**
+ * How a state becomes the next one. Several edits are made in one go if all make parts of whole parts,
+ * no part is named twice, and their numbers are those of this state.
+ */
+export function planEdits(
+  state: DocumentState,
+  edits: readonly DocumentEdit[],
+): EditPlan | Refusal {
+  const planner = new Planner(state);
+  try {
+    if (edits.length === 1) return planner.plan(edits[0]!);
+    if (edits.every(isPartChange)) return planner.parts(edits);
+  } catch (error) {
+    if (!(error instanceof BadOption)) throw error;
+    return refusal(error.code, error.message);
+  }
+  return refusal('not-together', 'only edits that split and merge parts can be made in one go');
+}
+
+/** Pins and names as they are after a job, which may have given parts other numbers. */
+export function settledWishes(wishes: Wishes, { result }: Pick<DocumentState, 'result'>): Wishes {
+  const isThere = new Set(result.pieces.map(({ sources }) => sources[0]!));
+  const pins = wishes.pins
+    .filter(({ face }) => isThere.has(face))
+    .map((pin) => ({ ...pin, part: result.labels[pin.face]! }));
+  return { ...wishes, names: result.names, pins };
+}

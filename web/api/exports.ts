@@ -1,0 +1,15 @@
+/** What both builds of the package offer beside `open` and `unfold`. */
+export type { TimedResult } from '../core/client.js';
+export { JobError } from '../core/job-error.js';
+export type { Pool } from '../core/pool.js';
+export type { TimedEvent } from '../core/protocol.js';
+export { exportFormats, type ExportFormat, type WrittenFile } from '../export/files.js';
+export type { Report } from '../export/report.js';
+export { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
+export type { JobResult } from '../model/job.js';
+export { BadOption, type Options } from '../model/written-options.js';
+export type { Door, OpenOptions, Unfolded } from './door.js';
+export type { Refusal } from './edit-plan.js';
+export { BadFiles } from './model-files.js';
+export { Session, type Applied } from './session.js';
+export type { ModelFile, WorkOptions } from './work.js';

@@ -1,0 +1,8 @@
+/** The package under node. */
+import { nodePool } from '../core/node-pool.js';
+import { makeDoor } from './door.js';
+import { readFontFile } from './node-fonts.js';
+
+export const { open, unfold } = makeDoor({ startPool: () => nodePool(), loadFont: readFontFile });
+export { nodePool as startPool };
+export * from './exports.js';

@@ -1,0 +1,277 @@
+import { version } from '../../package.json';
+import { runJob, type TimedResult } from '../core/client.js';
+import { JobError, engineDied } from '../core/job-error.js';
+import type { Pool } from '../core/pool.js';
+import { writeFiles, type ExportFormat, type WrittenFile } from '../export/files.js';
+import type { FontLoader } from '../export/font-set.js';
+import { preparePrint, type Print } from '../export/print.js';
+import { makeReport, type Report } from '../export/report.js';
+import { echo, type Settings } from '../model/options.js';
+import type { DocumentEdit } from '../model/document-edits.js';
+import { startFrom } from '../model/edits.js';
+import type { JobOptions, JobStart } from '../model/job.js';
+import { addSeconds } from '../model/stage-seconds.js';
+import { changedSettings, defaultSettings, type Options } from '../model/written-options.js';
+import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
+import { planEdits, refusal, settledWishes, type EditPlan, type Refusal } from './edit-plan.js';
+import { History } from './history.js';
+import type { ModelFile, WorkOptions } from './work.js';
+
+/** An edit that was made. */
+export interface Applied {
+  ok: true;
+  /** Pieces that were not there before, counted from 1 in the order of gluing. */
+  changed: number[];
+}
+
+/** What a session needs of where it runs. */
+export interface Surroundings {
+  pool: Pool;
+  loadFont: FontLoader;
+  /** Whether the pool is closed with the session. */
+  ownsPool: boolean;
+}
+
+/** Codes with which the engine says that the fault is its own. */
+const crashes: readonly string[] = [engineDied, 'internal', 'out-of-memory'];
+
+const nothing = 'Nothing was unfolded yet: call run first';
+
+/** Identifies a net by its faces and folds. */
+function netKeys({ nets }: TimedResult): string[] {
+  return nets.map(({ faces, folds }) => `${faces.join()}|${folds.join()}`);
+}
+
+/**
+ * A model that is open: it can be unfolded, edited, and written. The files, the options of `run` and
+ * the list of edits are the document; everything else is computed from them, so that the same document
+ * gives the same bits. Calls are worked off one after the other. What an edit does not touch stays as it
+ * is, on paper too. Results of earlier states are kept within 256 MiB, and computed again beyond.
+ */
+export class Session {
+  private history: History | null = null;
+  private lastWork: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    private readonly file: ModelFile,
+    private readonly surroundings: Surroundings,
+  ) {}
+
+  /** Edits that were made and not undone, the first one first. */
+  get edits(): readonly DocumentEdit[] {
+    return this.history?.edits.flat() ?? [];
+  }
+
+  /** Whether there is an edit to undo. */
+  get canUndo(): boolean {
+    return this.history?.canUndo ?? false;
+  }
+
+  /** Whether there is an edit to do again. */
+  get canRedo(): boolean {
+    return this.history?.canRedo ?? false;
+  }
+
+  /** What came out, as the command line reports it. @throws Error before the first run */
+  get report(): Report {
+    if (!this.history) throw new Error(nothing);
+    return this.history.report;
+  }
+
+  /**
+   * Unfolds the model; earlier edits are gone.
+   *
+   * Rejects with a `BadOption` for an option that there is not or a value out of its range, and with a
+   * `JobError` for a model that cannot be read or used; the state before stays then.
+   */
+  run(options: Options = {}, work: WorkOptions = {}): Promise<Report> {
+    return this.inTurn(() => this.begin(changedSettings(defaultSettings(), options), work));
+  }
+
+  /** The same with all options, as the command line has parsed them. @internal */
+  runWith(settings: Settings, work: WorkOptions = {}): Promise<Report> {
+    return this.inTurn(() => this.begin(settings, work));
+  }
+
+  /**
+   * Makes an edit, or several at once that split, merge and search whole parts: their numbers are those
+   * of before. An edit that cannot be made changes nothing and says why.
+   */
+  apply(
+    edit: DocumentEdit | readonly DocumentEdit[],
+    work: WorkOptions = {},
+  ): Promise<Applied | Refusal> {
+    const edits = Array.isArray(edit) ? (edit as readonly DocumentEdit[]) : [edit as DocumentEdit];
+    return this.inTurn(async () => {
+      if (!this.history) throw new Error(nothing);
+      const before = await this.history.current(work);
+      const plan = planEdits(before, edits);
+      if (!plan.ok) return plan;
+      const { position } = this.history;
+      const made = await this.make(before, plan, work);
+      if ('ok' in made) return made;
+      if (this.history.position !== position) {
+        return refusal('overtaken', 'another step was taken back or made again meanwhile');
+      }
+      this.history.add(edits, made, (state, more) => this.remake(state!, edits, more));
+      const old = new Set(netKeys(before.result));
+      const changed = netKeys(made.result).flatMap((key, i) => (old.has(key) ? [] : [i + 1]));
+      return { ok: true, changed };
+    });
+  }
+
+  /** Takes the last edit back; false if there is none. */
+  undo(): boolean {
+    return this.history?.move(-1) ?? false;
+  }
+
+  /** Makes the edit that was taken back last again; false if there is none. */
+  redo(): boolean {
+    return this.history?.move(1) ?? false;
+  }
+
+  /** What came out, as plain data. Cost: none, unless it must be computed again. */
+  result(work: WorkOptions = {}): Promise<TimedResult> {
+    return this.inTurn(async () => (await this.current(work)).result);
+  }
+
+  /** Draws all sheets, ready to be written in any format. @internal */
+  print(options: Options = {}, work: WorkOptions = {}): Promise<Print> {
+    return this.inTurn(async () => (await this.printed(options, work)).print);
+  }
+
+  /**
+   * Writes the nets: `pdf`, `svg` (a file for each sheet), `fold` or `glb` (the folding as an
+   * animation). With options that concern sheets, size or flaps they are laid out for this alone.
+   */
+  export(
+    format: ExportFormat,
+    options: Options = {},
+    work: WorkOptions = {},
+  ): Promise<WrittenFile[]> {
+    return this.inTurn(async () => {
+      const { state, print } = await this.printed(options, work);
+      return writeFiles(format, { result: state.result, print, name: `${this.title}.${format}` });
+    });
+  }
+
+  /** Ends the session and the workers that were started for it. */
+  close(): void {
+    if (this.surroundings.ownsPool) this.surroundings.pool.close();
+  }
+
+  /** Name of the file without its ending. */
+  get title(): string {
+    return this.file.name.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
+  }
+
+  private async begin(settings: Settings, work: WorkOptions): Promise<Report> {
+    const wishes: Wishes = { settings, flapEdges: [], names: [], pins: [] };
+    const compute = async (_: unknown, more: WorkOptions): Promise<DocumentState> => ({
+      wishes,
+      result: await this.job(jobOf(wishes), null, more),
+    });
+    const first = await compute(null, work);
+    this.history = new History(first, compute, (state) => this.reportOf(state));
+    return this.history.report;
+  }
+
+  /** A state that was dropped, from the one before. */
+  private async remake(
+    before: DocumentState,
+    edits: readonly DocumentEdit[],
+    work: WorkOptions,
+  ): Promise<DocumentState> {
+    const plan = planEdits(before, edits);
+    const made = plan.ok ? await this.make(before, plan, work) : plan;
+    if ('ok' in made) throw new Error(`An edit cannot be made again: ${made.code}`);
+    return made;
+  }
+
+  private async current(work: WorkOptions): Promise<DocumentState> {
+    if (!this.history) throw new Error(nothing);
+    return this.history.current(work);
+  }
+
+  private async printed(
+    options: Options,
+    work: WorkOptions,
+  ): Promise<{ state: DocumentState; print: Print }> {
+    const before = await this.current(work);
+    const settings = changedSettings(before.wishes.settings, options);
+    const wishes = { ...before.wishes, settings };
+    const isSameJob = JSON.stringify(jobOf(wishes)) === JSON.stringify(jobOf(before.wishes));
+    const result = isSameJob
+      ? before.result
+      : await this.job(jobOf(wishes), startFrom(before.result, []), work);
+    const { margin } = settings;
+    const { loadFont } = this.surroundings;
+    const look = { title: this.title, margin, options: printOf(wishes), loadFont };
+    return { state: { wishes, result }, print: await preparePrint({ result, ...look }) };
+  }
+
+  /** The state that a plan makes, or why the engine refuses. */
+  private async make(
+    before: DocumentState,
+    { wishes, start, seed }: EditPlan,
+    work: WorkOptions,
+  ): Promise<DocumentState | Refusal> {
+    if (!start) return { wishes, result: before.result };
+    const options = { ...jobOf(wishes), ...(seed !== undefined && { seed }) };
+    try {
+      const result = together(before.result, await this.job(options, start, work));
+      return { wishes: settledWishes(wishes, { result }), result };
+    } catch (error) {
+      if (!(error instanceof JobError) || crashes.includes(error.code)) throw error;
+      return refusal(error.code, error.message, error.faces);
+    }
+  }
+
+  private job(
+    options: JobOptions,
+    start: JobStart | null,
+    { signal, onEvent }: WorkOptions,
+  ): Promise<TimedResult> {
+    const { name, bytes } = this.file;
+    return runJob(this.surroundings.pool, bytes, name, options, {
+      ...(signal && { signal }),
+      ...(onEvent && { onEvent }),
+      ...(start && { start }),
+    });
+  }
+
+  private reportOf({ wishes, result }: DocumentState): Report {
+    const options = Object.fromEntries(
+      Object.entries(echo(wishes.settings)).filter(([name]) => name !== 'workers'),
+    );
+    const job = jobOf(wishes);
+    return makeReport({
+      version,
+      options,
+      job,
+      files: [],
+      result,
+      printed: [],
+      seconds: result.seconds,
+    });
+  }
+
+  private inTurn<Value>(work: () => Promise<Value>): Promise<Value> {
+    const turn = this.lastWork.then(work);
+    this.lastWork = turn.catch(() => undefined);
+    return turn;
+  }
+}
+
+/** A result, with what went into the one that it was made of. */
+function together(before: TimedResult, result: TimedResult): TimedResult {
+  const { generations, moves } = before.search;
+  return {
+    ...result,
+    search: {
+      generations: generations + result.search.generations,
+      moves: moves + result.search.moves,
+    },
+    seconds: addSeconds(before.seconds, result.seconds),
+  };
+}

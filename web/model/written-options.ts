@@ -1,0 +1,114 @@
+/** Options as programs write them: the command line's names and values, in a plain object. */
+import { BadValue } from './option-values.js';
+import { rows, sizings, type Row, type Settings } from './options.js';
+import type { PaperSize } from './paper.js';
+
+type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
+  ? `${Head}${Capitalize<CamelCase<Tail>>}`
+  : Name;
+
+/** Lists and papers are written as the command line has them: '1,0.5', 'A4' or '210x297'. */
+type Written<Value> = Value extends PaperSize | readonly unknown[] ? string : Value;
+
+type OptionName = Exclude<keyof Settings, 'workers'>;
+
+/** Any of the command line's options, in camel case; what is not given keeps its value. */
+export type Options = {
+  [Name in OptionName as CamelCase<Name>]?: Written<Settings[Name]>;
+};
+
+/** An option that there is not, or a value that it does not take; for people. */
+export class BadOption extends Error {
+  override readonly name = 'BadOption';
+  readonly code = 'bad-option';
+}
+
+/** Options that decide sheets, size, flaps and numbers: nets stay as they are. */
+export const paperOptions: ReadonlySet<string> = new Set([
+  ...sizings,
+  'unit',
+  'paper',
+  'orientation',
+  'margin',
+  'flaps',
+  'flap-angle',
+  'flap-side',
+  'flap-borders',
+  'glue-strips',
+  'ids',
+] satisfies OptionName[]);
+
+/** Options that decide how lines look: pieces and their places stay as they are. */
+export const printOptionNames: ReadonlySet<string> = new Set([
+  'flat-fold',
+  'style',
+  'cut-width',
+  'cut-colour',
+  'mountain-width',
+  'mountain-dash',
+  'mountain-colour',
+  'valley-width',
+  'valley-dash',
+  'valley-colour',
+  'flap-colour',
+  'fold-angles',
+  'legend',
+  'measured',
+] satisfies OptionName[]);
+
+const nameOf = (key: string): string =>
+  key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+function parsed(name: string, value: unknown): unknown {
+  const row = (rows as Record<string, Row<unknown> | undefined>)[name];
+  if (!row) throw new BadOption(`there is no option '${name}'`);
+  try {
+    return row.parse(Array.isArray(value) ? value.join(',') : String(value));
+  } catch (error) {
+    if (!(error instanceof BadValue)) throw error;
+    throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);
+  }
+}
+
+/** Settings when nothing is asked for. */
+export function defaultSettings(): Settings {
+  const entries = Object.entries<Row<unknown>>(rows).map(([name, { parse, fallback }]) => [
+    name,
+    parse(fallback),
+  ]);
+  return Object.fromEntries(entries) as Settings;
+}
+
+/**
+ * Settings with some changed. A size takes the place of the one before.
+ *
+ * @param allowed names of the options that may be given; all without it
+ * @throws BadOption
+ */
+export function changedSettings(
+  before: Settings,
+  options: Readonly<Record<string, unknown>>,
+  allowed?: ReadonlySet<string>,
+): Settings {
+  const given = new Map<string, unknown>();
+  for (const [key, value] of Object.entries(options)) {
+    if (value === undefined) continue;
+    const name = nameOf(key);
+    if (allowed && !allowed.has(name) && name in rows) {
+      throw new BadOption(`option '${name}' cannot be changed here`);
+    }
+    given.set(name, parsed(name, value));
+  }
+  const sizes = sizings.filter((name) => given.has(name) && given.get(name) !== 'none');
+  if (sizes.length > 1) {
+    throw new BadOption(`option '${sizes[1]}': the size is given by '${sizes[0]}' already`);
+  }
+  const settings = { ...before };
+  if (sizes.length === 1) for (const name of sizings) settings[name] = 'none';
+  Object.assign(settings, Object.fromEntries(given));
+  if (2 * settings.margin >= settings.paper.width) {
+    const { margin, paper } = settings;
+    throw new BadOption(`option 'margin': ${margin} mm leave nothing of ${paper.name} paper`);
+  }
+  return settings;
+}
