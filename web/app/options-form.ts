@@ -1,9 +1,11 @@
 import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
 import { paperSizes, type PaperSize } from '../model/paper.js';
-import { find, make } from './dom.js';
+import { make } from './dom.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import { SizeFields } from './size-fields.js';
 
 /** What the form asks for. */
@@ -12,10 +14,26 @@ export interface Wishes {
   paper: PaperSize;
 }
 
+/** Values of fields, as text. */
+export interface Preset {
+  /** A number, or nothing or `auto` for what the shape says. */
+  parts?: string;
+  seed?: string;
+  /** Name of a paper in the list, in upper or lower case. */
+  paper?: string;
+}
+
 const orientations: readonly Orientation[] = ['auto', 'portrait', 'landscape'];
 
 function inches(length: number): string {
   return String(Math.round((length / 25.4) * 10) / 10);
+}
+
+/** Puts a value into a field that takes it. */
+function fill(field: HTMLInputElement, value: string): void {
+  const before = field.value;
+  field.value = value;
+  if (!field.validity.valid || field.value !== value) field.value = before;
 }
 
 function paperLabel({ name, width, height }: PaperSize): string {
@@ -24,18 +42,19 @@ function paperLabel({ name, width, height }: PaperSize): string {
 }
 
 /** The fields for parts and paper, those for the method, and the button that starts. */
-export class OptionsForm {
-  private readonly form = find('#controls', HTMLFormElement);
-  private readonly parts = find('#parts', HTMLInputElement);
-  private readonly paper = find('#paper', HTMLSelectElement);
-  private readonly orientation = find('#orientation', HTMLSelectElement);
-  private readonly margin = find('#margin', HTMLInputElement);
-  private readonly button = find('#unfold', HTMLButtonElement);
-  private readonly more = new MoreOptions();
-  private readonly size = new SizeFields();
-  private readonly flaps = new FlapFields();
+export class OptionsForm extends Panel {
+  private readonly form = this.find('#controls', HTMLFormElement);
+  private readonly parts = this.find('#parts', HTMLInputElement);
+  private readonly paper = this.find('#paper', HTMLSelectElement);
+  private readonly orientation = this.find('#orientation', HTMLSelectElement);
+  private readonly margin = this.find('#margin', HTMLInputElement);
+  private readonly button = this.find('#unfold', HTMLButtonElement);
+  private readonly more = new MoreOptions(this.place);
+  private readonly size = new SizeFields(this.place);
+  private readonly flaps = new FlapFields(this.place);
 
-  constructor(onSubmit: () => void) {
+  constructor(place: StudioPlace, onSubmit: () => void) {
+    super(place);
     const papers = paperSizes.map((size) =>
       make('option', { value: size.name, textContent: paperLabel(size) }),
     );
@@ -73,6 +92,16 @@ export class OptionsForm {
   /** Moves the keyboard to the button. */
   focus(): void {
     this.button.focus({ preventScroll: true });
+  }
+
+  /** Fills in fields; a value that a field does not take is ignored. */
+  preset({ parts, seed, paper }: Preset): void {
+    const size = paperSizes.find(({ name }) => name.toLowerCase() === paper?.toLowerCase());
+    if (size) this.paper.value = size.name;
+    if (parts !== undefined) fill(this.parts, parts === 'auto' ? '' : parts);
+    if (seed !== undefined) fill(this.more.seed, seed);
+    // As if a person had: what depends on the fields looks at them again.
+    this.form.dispatchEvent(new Event('input'));
   }
 
   /** What the fields say now; null after showing the person the field that makes no sense. */
