@@ -20,6 +20,13 @@ const surroundings = `
   </style>
   <main id="result"><h1 id="parts">A shop</h1></main>`;
 
+/** No more than a page needs that has the files of the studio from an origin; the style is the page's own. */
+function policyFor(origin: string): string {
+  const policy = `default-src 'none'; script-src ${origin} 'wasm-unsafe-eval'; worker-src blob: ${origin};
+    connect-src 'self' ${origin}; img-src ${origin} data:; style-src 'unsafe-inline'`;
+  return `<meta http-equiv="Content-Security-Policy" content="${policy}" />`;
+}
+
 export interface ElementSite {
   /** Body of the page. */
   markup: string;
@@ -47,7 +54,8 @@ export async function withElementPage(
   const folder = await mkdtemp(join(tmpdir(), 'foldwright-site-'));
   const other = apart ? await serve(built, 0, { 'access-control-allow-origin': '*' }) : null;
   const script = `${other?.address ?? `../${vendor}/`}foldwright-studio.js`;
-  const page = `<!doctype html><html lang="en"><title>A shop</title>
+  const policy = other ? policyFor(new URL(other.address).origin) : '';
+  const page = `<!doctype html><html lang="en"><title>A shop</title>${policy}
     <link rel="icon" href="data:," />
     <script type="module" src="${script}"></script>${surroundings}${markup}</html>`;
   await writeSite(folder, { 'shop/index.html': page, ...files });

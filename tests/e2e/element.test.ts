@@ -22,15 +22,17 @@ function chooseSample(studio: Locator, name: string): Promise<void> {
   return studio.getByRole('button', { name, exact: true }).click();
 }
 
-/** Begins a run that lasts until it is cancelled. */
+/** Drops a model of which all is in one part: bred nets of it take until they are cancelled. */
+async function dropLongRun(studio: Locator): Promise<void> {
+  const file = { name: 'long.obj', content: objText(wavyRing(60)) };
+  await drag(studio.locator('.mat'), ['drop'], file);
+  await studio.locator('#cancel').waitFor();
+}
+
 async function beginLongRun(studio: Locator): Promise<void> {
   await studio.locator('#solver').selectOption('genetic');
   await studio.locator('#parts').fill('1');
-  await drag(studio.locator('.mat'), ['drop'], {
-    name: 'long.obj',
-    content: objText(wavyRing(60)),
-  });
-  await studio.locator('#cancel').waitFor();
+  await dropLongRun(studio);
 }
 
 /** The hash that the command line gives for what the first studio is asked for. */
@@ -63,14 +65,14 @@ test('two studios on a page run models of their own and give the results of the 
     // Another model and other fields, by their attributes.
     await one.evaluate((studio) => {
       studio.setAttribute('parts', 'auto');
-      studio.setAttribute('paper', 'A3');
+      studio.setAttribute('paper', '300x200');
       studio.setAttribute(
         'src',
         new URL('../vendor/foldwright/samples/cube.obj', location.href).href,
       );
     });
     await resultIn(one, 'cube');
-    expect(await one.locator('#result-lead').innerText()).toContain('A3');
+    expect(await one.locator('#result-lead').innerText()).toContain('300x200');
     expect(await one.locator('#parts').inputValue()).toBe('');
     expect(await two.locator('#paper').inputValue()).toBe('A4');
     await one.evaluate((studio) => studio.setAttribute('src', 'nothing.obj'));
@@ -167,6 +169,11 @@ test('styles, hatches, keyboard, keys and drops of a studio are its own', () =>
     expect(await isRunning()).toBe(true);
     // A click anywhere in a studio brings the keyboard there.
     await one.locator('#progress-words').click();
+    await page.keyboard.press('Escape');
+    await one.locator('#progress').waitFor({ state: 'hidden', timeout: 5000 });
+    // So does something that is dropped there.
+    await page.locator('#after').click();
+    await dropLongRun(one);
     await page.keyboard.press('Escape');
     await one.locator('#progress').waitFor({ state: 'hidden', timeout: 5000 });
     expect(complaints).toEqual([]);

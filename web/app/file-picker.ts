@@ -51,11 +51,18 @@ export class FilePicker extends Panel {
     this.veil.hidden = this.depth <= 0;
   }
 
+  /** Whoever drops something on one of several studios goes on with that one. */
+  private takeKeyboard(): void {
+    const studio = this.find('.studio', HTMLElement);
+    if (!studio.matches(':focus-within')) studio.focus({ preventScroll: true });
+  }
+
   private drop(event: DragEvent): void {
     this.depth = 0;
     this.veil.hidden = true;
     if (!isForStudio(event)) return;
     event.preventDefault();
+    this.takeKeyboard();
     this.onFiles([...(event.dataTransfer?.files ?? [])]);
   }
 }

@@ -1,6 +1,6 @@
 import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
-import { paperSizes, type PaperSize } from '../model/paper.js';
+import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
 import { make } from './dom.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
@@ -19,7 +19,7 @@ export interface Preset {
   /** A number, or nothing or `auto` for what the shape says. */
   parts?: string;
   seed?: string;
-  /** Name of a paper in the list, in upper or lower case. */
+  /** Name of a paper, or WxH in mm. */
   paper?: string;
 }
 
@@ -37,8 +37,13 @@ function fill(field: HTMLInputElement, value: string): void {
 }
 
 function paperLabel({ name, width, height }: PaperSize): string {
-  if (name.includes('x')) return `${inches(width)} × ${inches(height)} in`;
+  if (name.endsWith('in')) return `${inches(width)} × ${inches(height)} in`;
+  if (name.includes('x')) return `${width} × ${height} mm`;
   return `${name} (${Math.round(width)} × ${Math.round(height)} mm)`;
+}
+
+function paperOption(size: PaperSize): HTMLOptionElement {
+  return make('option', { value: size.name, textContent: paperLabel(size) });
 }
 
 /** The fields for parts and paper, those for the method, and the button that starts. */
@@ -55,10 +60,7 @@ export class OptionsForm extends Panel {
 
   constructor(place: StudioPlace, onSubmit: () => void) {
     super(place);
-    const papers = paperSizes.map((size) =>
-      make('option', { value: size.name, textContent: paperLabel(size) }),
-    );
-    this.paper.replaceChildren(...papers);
+    this.paper.replaceChildren(...paperSizes.map(paperOption));
     this.paper.value = 'A4';
     this.margin.value = String(defaultOptions.margin);
     this.form.addEventListener('submit', (event) => {
@@ -96,8 +98,8 @@ export class OptionsForm extends Panel {
 
   /** Fills in fields; a value that a field does not take is ignored. */
   preset({ parts, seed, paper }: Preset): void {
-    const size = paperSizes.find(({ name }) => name.toLowerCase() === paper?.toLowerCase());
-    if (size) this.paper.value = size.name;
+    const size = paperCalled(paper ?? '');
+    if (size) this.choosePaper(size);
     if (parts !== undefined) fill(this.parts, parts === 'auto' ? '' : parts);
     if (seed !== undefined) fill(this.more.seed, seed);
     // As if a person had: what depends on the fields looks at them again.
@@ -107,7 +109,7 @@ export class OptionsForm extends Panel {
   /** What the fields say now; null after showing the person the field that makes no sense. */
   read(): Wishes | null {
     if (!this.form.reportValidity()) return null;
-    const paper = paperSizes.find(({ name }) => name === this.paper.value) ?? paperSizes[0]!;
+    const paper = paperCalled(this.paper.value) ?? paperSizes[0]!;
     const orientation = orientations.find((value) => value === this.orientation.value) ?? 'auto';
     const job: JobOptions = {
       // For whatever has no field here.
@@ -122,5 +124,12 @@ export class OptionsForm extends Panel {
       margin: this.margin.value === '' ? defaultOptions.margin : this.margin.valueAsNumber,
     };
     return { job, paper };
+  }
+
+  /** One of no common size is added to the list. */
+  private choosePaper(size: PaperSize): void {
+    const isListed = [...this.paper.options].some(({ value }) => value === size.name);
+    if (!isListed) this.paper.append(paperOption(size));
+    this.paper.value = size.name;
   }
 }

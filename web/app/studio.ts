@@ -10,7 +10,7 @@ import { HatchSwitch } from './hatch-switch.js';
 import { type Failure, JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
-import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
+import { fetchModelFile, readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
 import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
@@ -127,9 +127,13 @@ export class Studio extends Panel {
     this.form.preset(values);
   }
 
+  /** Fetches a model from an address, which may be relative to `base`, and unfolds it. */
+  load(address: string, base: string): void {
+    if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life));
+  }
+
   /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
-  async choose(coming: Promise<ModelFile>): Promise<void> {
-    if (!this.isOpen) return;
+  private async choose(coming: Promise<ModelFile>): Promise<void> {
     const number = ++this.choices;
     const model = await coming.catch((error: unknown) => this.explain(error));
     if (!model || number !== this.choices) return;

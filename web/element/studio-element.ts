@@ -1,4 +1,3 @@
-import { fetchModelFile } from '../app/model-file.js';
 import type { Preset } from '../app/options-form.js';
 import type { StudioPlace } from '../app/place.js';
 import { Studio } from '../app/studio.js';
@@ -45,7 +44,7 @@ function styleSheet(): CSSStyleSheet {
  * | attribute | |
  * |---|---|
  * | `src` | address of a model, from the page; it is fetched and unfolded whenever this is set |
- * | `parts`, `seed`, `paper` | fill in the fields of these names, as the command line's options do; `paper` is a named one |
+ * | `parts`, `seed`, `paper` | fill in the fields of these names, as the command line's options do; `paper` may also be WxH in mm |
  * | `lang` | language of the words; English for all so far |
  * | `workers` | number of engine workers, 1 to 64; counts for the first studio that needs them |
  * | `whole-page` | the page is for nothing else: files dropped anywhere and Escape pressed anywhere are for the studio |
@@ -108,9 +107,7 @@ export class FoldwrightStudio extends HTMLElement {
 
   private load(): void {
     const address = this.getAttribute('src');
-    if (!address) return;
-    const { signal } = this.life;
-    void this.studio?.choose(fetchModelFile(address, this.baseURI, signal));
+    if (address) this.studio?.load(address, this.baseURI);
   }
 
   private preset(names: readonly string[]): Preset {
