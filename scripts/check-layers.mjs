@@ -6,7 +6,7 @@ import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
 const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', ...unfold];
-const web = ['view', 'export', 'core', 'model'];
+const web = ['view', 'export', 'core', 'browser', 'model'];
 
 /** What each folder may know besides itself. */
 const mayKnow = {
@@ -20,8 +20,9 @@ const mayKnow = {
   'cpp/pipeline': engine.slice(1),
   bindings: engine,
   'web/model': [],
-  'web/core': ['model'],
-  'web/view': ['model'],
+  'web/browser': [],
+  'web/core': ['browser', 'model'],
+  'web/view': ['browser', 'model'],
   'web/export': ['model'],
   'web/pwa': ['model'],
   'web/api': ['export', 'core', 'model'],

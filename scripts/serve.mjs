@@ -38,14 +38,15 @@ function listen(server, port) {
  * Serves a folder on this machine alone.
  * @param folder absolute path
  * @param port the first to try; a taken one is passed over. 0: any free one
+ * @param {Record<string, string>} headers that every answer has besides its own
  * @returns {Promise<{address: string, close: () => void}>}
  */
-export async function serve(folder, port = 0) {
+export async function serve(folder, port = 0, headers = {}) {
   const server = createServer((request, response) => {
     const file = fileFor(folder, request.url ?? '/');
     if (!file) return void response.writeHead(404).end('not found');
     const type = types[extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-cache' });
+    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-cache', ...headers });
     if (request.method === 'HEAD') return void response.end();
     createReadStream(file).pipe(response);
   });

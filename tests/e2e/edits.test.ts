@@ -128,7 +128,7 @@ test('the keyboard alone is enough, and what cannot be done is said', () =>
       await page.locator('#undo').focus();
       await page.keyboard.press('Enter');
       expect(await changed(studio, second)).toBe(first);
-      expect(await page.evaluate(() => document.activeElement?.id)).toBe('split');
+      expect(await page.locator('#split').evaluate((own) => own.matches(':focus'))).toBe(true);
       expect(studio.complaints).toEqual([]);
     },
     { viewport: phone },

@@ -172,7 +172,7 @@ test('what is meant for a field stays in it', () =>
       page.locator(selector).evaluate((target) => {
         const dataTransfer = new DataTransfer();
         dataTransfer.setData('text/plain', '4');
-        const event = { dataTransfer, bubbles: true, cancelable: true };
+        const event = { dataTransfer, bubbles: true, cancelable: true, composed: true };
         // Whoever prevents the default takes the text away from the field.
         const kept = ['dragover', 'drop'].map((type) =>
           target.dispatchEvent(new DragEvent(type, event)),

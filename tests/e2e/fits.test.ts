@@ -43,7 +43,8 @@ function cutOff(page: Page): Promise<string[]> {
       return element.scrollWidth > element.clientWidth && element.clientWidth > 0;
     };
     const controls = 'input:not(.visually-hidden), select, button, label, summary, legend, output';
-    const seen = [...document.querySelectorAll<HTMLElement>(controls)].filter((element) =>
+    const { shadowRoot } = document.querySelector('foldwright-studio')!;
+    const seen = [...shadowRoot!.querySelectorAll<HTMLElement>(controls)].filter((element) =>
       element.checkVisibility(),
     );
     return seen

@@ -9,8 +9,9 @@ export const stageWords = ['Reading', 'Learning', 'Choosing the parts', 'Laying'
  */
 export function cancelAt({ page }: StudioPage, words: string): Promise<number> {
   return page.evaluate((start) => {
-    const stage = document.querySelector('#progress-words')!;
-    const card = document.querySelector<HTMLElement>('#progress')!;
+    const { shadowRoot } = document.querySelector('foldwright-studio')!;
+    const stage = shadowRoot!.querySelector('#progress-words')!;
+    const card = shadowRoot!.querySelector<HTMLElement>('#progress')!;
     const all = { childList: true, characterData: true, subtree: true, attributes: true };
     return new Promise<number>((resolve) => {
       const began = new MutationObserver(() => {
@@ -21,7 +22,7 @@ export function cancelAt({ page }: StudioPage, words: string): Promise<number> {
           if (card.hidden) resolve(performance.now() - before);
         });
         ended.observe(card, all);
-        document.querySelector<HTMLElement>('#cancel')!.click();
+        shadowRoot!.querySelector<HTMLElement>('#cancel')!.click();
       });
       began.observe(stage, all);
     });
@@ -50,7 +51,8 @@ export function timeRun({ page }: StudioPage, name: string, content: string): Pr
         for (const { duration } of list.getEntries()) longTasks.push(duration);
       });
       observer.observe({ type: 'longtask' });
-      const result = document.querySelector<HTMLElement>('#result')!;
+      const { shadowRoot } = document.querySelector('foldwright-studio')!;
+      const result = shadowRoot!.querySelector<HTMLElement>('#result')!;
       const start = performance.now();
       document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
       const nets = await new Promise<number>((done) => {
@@ -71,8 +73,9 @@ export function timeRun({ page }: StudioPage, name: string, content: string): Pr
 export function timeFolding({ page }: StudioPage): Promise<number[]> {
   return page.evaluate(() => {
     const frames: number[] = [];
-    const words = document.querySelector('#folding-words')!;
-    document.querySelector<HTMLElement>('#folding-play')!.click();
+    const { shadowRoot } = document.querySelector('foldwright-studio')!;
+    const words = shadowRoot!.querySelector('#folding-words')!;
+    shadowRoot!.querySelector<HTMLElement>('#folding-play')!.click();
     return new Promise<number[]>((resolve) => {
       const count = (now: number): void => {
         frames.push(now);

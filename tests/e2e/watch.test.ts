@@ -68,9 +68,10 @@ test('however many generations there are, they are drawn ten times a second at m
     await beginLongRun(studio);
     await page.locator('#chart .curve--now').waitFor({ timeout: 60_000 });
     const { drawings, seconds } = await page.evaluate(async () => {
+      const { shadowRoot } = document.querySelector('foldwright-studio')!;
       let drawings = 0;
       const observer = new MutationObserver(() => ++drawings);
-      observer.observe(document.querySelector('#chart')!, { childList: true });
+      observer.observe(shadowRoot!.querySelector('#chart')!, { childList: true });
       const start = performance.now();
       await new Promise((done) => setTimeout(done, 3000));
       return { drawings, seconds: (performance.now() - start) / 1000 };

@@ -1,13 +1,13 @@
 /** Finding and making elements. Text always goes in as text, never as markup. */
 
-/** The element that `selector` names, on the page or in one of its elements; without it the page itself is broken. */
+/** The element that `selector` names within another one; without it the markup itself is broken. */
 export function find<E extends Element>(
+  within: ParentNode,
   selector: string,
   type: new () => E,
-  within: ParentNode = document,
 ): E {
   const found = within.querySelector(selector);
-  if (!(found instanceof type)) throw new Error(`The page has no ${type.name} at ${selector}`);
+  if (!(found instanceof type)) throw new Error(`The markup has no ${type.name} at ${selector}`);
   return found;
 }
 
@@ -25,6 +25,8 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 const editable = 'select, textarea, input:not([type=checkbox], [type=file], [type=range])';
 
 /** Whether an event is about a field that holds what a person writes or picks: its keys and drops are its own. */
-export function isForField({ target }: Event): boolean {
+export function isForField(event: Event): boolean {
+  // Outside of a shadow tree, `target` is no more than the element that has it.
+  const [target] = event.composedPath();
   return target instanceof Element && target.closest(editable) !== null;
 }

@@ -1,13 +1,18 @@
-import { find } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
 import { saveFile } from './save-file.js';
 
 /** The buttons that save the result, one for each format. */
-export class DownloadBar {
-  private readonly bar = find('#downloads', HTMLElement);
+export class DownloadBar extends Panel {
+  private readonly bar = this.find('#downloads', HTMLElement);
   private writer: ResultWriter | null = null;
 
-  constructor(private readonly onFailure: (format: string) => void) {
+  constructor(
+    place: StudioPlace,
+    private readonly onFailure: (format: string) => void,
+  ) {
+    super(place);
     for (const button of this.bar.querySelectorAll('button')) {
       button.addEventListener('click', () => void this.save(button));
     }

@@ -1,34 +1,48 @@
-import { find, isForField } from './dom.js';
+import { isForField } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 function hasFiles({ dataTransfer }: DragEvent): boolean {
   return dataTransfer?.types.includes('Files') ?? false;
 }
 
 /** Text that is dropped into a field belongs there; whatever else the browser would do, it leaves the page. */
-function isForPage(event: DragEvent): boolean {
+function isForStudio(event: DragEvent): boolean {
   return hasFiles(event) || !isForField(event);
 }
 
-/** Offers files chosen with the picker or dropped anywhere on the page. */
-export class FilePicker {
-  private readonly input = find('#file', HTMLInputElement);
-  private readonly veil = find('#drop-veil', HTMLElement);
+/** Offers files chosen with the picker or dropped anywhere on the studio's ground. */
+export class FilePicker extends Panel {
+  private readonly input = this.find('#file', HTMLInputElement);
+  private readonly veil = this.find('#drop-veil', HTMLElement);
   /** Entered elements minus left ones: dragging over a child leaves its parent. */
   private depth = 0;
 
-  constructor(private readonly onFiles: (files: readonly File[]) => void) {
+  constructor(
+    place: StudioPlace,
+    private readonly onFiles: (files: readonly File[]) => void,
+  ) {
+    super(place);
     this.input.addEventListener('change', () => {
       const files = [...(this.input.files ?? [])];
       // Forgotten at once, so that choosing the same file again counts as a choice.
       this.input.value = '';
       if (files.length > 0) this.onFiles(files);
     });
-    window.addEventListener('dragenter', (event) => this.enter(event, 1));
-    window.addEventListener('dragleave', (event) => this.enter(event, -1));
-    window.addEventListener('dragover', (event) => {
-      if (isForPage(event)) event.preventDefault();
+    this.hear('dragenter', (event) => this.enter(event, 1));
+    this.hear('dragleave', (event) => this.enter(event, -1));
+    this.hear('dragover', (event) => {
+      if (isForStudio(event)) event.preventDefault();
     });
-    window.addEventListener('drop', (event) => this.drop(event));
+    this.hear('drop', (event) => this.drop(event));
+  }
+
+  private hear(type: string, take: (event: DragEvent) => void): void {
+    const { ground, life } = this.place;
+    const hear = (event: Event): void => {
+      if (event instanceof DragEvent) take(event);
+    };
+    ground.addEventListener(type, hear, { signal: life });
   }
 
   private enter(event: DragEvent, change: number): void {
@@ -37,11 +51,18 @@ export class FilePicker {
     this.veil.hidden = this.depth <= 0;
   }
 
+  /** Whoever drops something on one of several studios goes on with that one. */
+  private takeKeyboard(): void {
+    const studio = this.find('.studio', HTMLElement);
+    if (!studio.matches(':focus-within')) studio.focus({ preventScroll: true });
+  }
+
   private drop(event: DragEvent): void {
     this.depth = 0;
     this.veil.hidden = true;
-    if (!isForPage(event)) return;
+    if (!isForStudio(event)) return;
     event.preventDefault();
+    this.takeKeyboard();
     this.onFiles([...(event.dataTransfer?.files ?? [])]);
   }
 }

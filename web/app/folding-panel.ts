@@ -1,7 +1,8 @@
 import type { Piece } from '../model/job.js';
 import { tempoFor, secondOf, timeAt, type Tempo } from '../model/tempo.js';
-import { find } from './dom.js';
 import { doubts, folded, joiningLetters } from './folding-words.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** Ms of a frame at most: after a pause, as in the background, it goes on where it was. */
 const longestFrame = 100;
@@ -10,12 +11,12 @@ const longestFrame = 100;
  * A slider and a button that unfold the model into its pieces and fold them up again. Nothing moves
  * until one of them is used.
  */
-export class FoldingPanel {
-  private readonly bar = find('#folding', HTMLElement);
-  private readonly slider = find('#folding-time', HTMLInputElement);
-  private readonly button = find('#folding-play', HTMLButtonElement);
-  private readonly words = find('#folding-words', HTMLOutputElement);
-  private readonly note = find('#folding-note', HTMLElement);
+export class FoldingPanel extends Panel {
+  private readonly bar = this.find('#folding', HTMLElement);
+  private readonly slider = this.find('#folding-time', HTMLInputElement);
+  private readonly button = this.find('#folding-play', HTMLButtonElement);
+  private readonly words = this.find('#folding-words', HTMLOutputElement);
+  private readonly note = this.find('#folding-note', HTMLElement);
   private pieces: readonly Piece[] = [];
   /** Of the pieces in the order of their joining; null until the model is first unfolded. */
   private letters: string[] | null = null;
@@ -26,9 +27,14 @@ export class FoldingPanel {
   private time = 1;
 
   /** @param onTime is told how far the pieces shall be, from 0 (flat) to 1 (the model) */
-  constructor(private readonly onTime: (time: number) => void) {
+  constructor(
+    place: StudioPlace,
+    private readonly onTime: (time: number) => void,
+  ) {
+    super(place);
     this.slider.addEventListener('input', () => this.show(this.slider.valueAsNumber));
     this.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
+    place.life.addEventListener('abort', () => this.pause());
   }
 
   /** Offers to unfold the model that is shown into these pieces. */

@@ -1,12 +1,15 @@
-import { find } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** The switch for hatches, which tell parts apart where colours do not: in grey and on prints. */
-export class HatchSwitch {
-  constructor(onChange: (hatched: boolean) => void) {
-    const box = find('#hatch', HTMLInputElement);
+export class HatchSwitch extends Panel {
+  constructor(place: StudioPlace, onChange: (hatched: boolean) => void) {
+    super(place);
+    const box = this.find('#hatch', HTMLInputElement);
+    const studio = this.find('.studio', HTMLElement);
     const tell = (): void => {
       // Sheets carry both fills; which one shows is a matter of style.
-      document.documentElement.toggleAttribute('data-hatched', box.checked);
+      studio.toggleAttribute('data-hatched', box.checked);
       onChange(box.checked);
     };
     box.addEventListener('change', tell);

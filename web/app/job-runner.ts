@@ -4,6 +4,7 @@ import type { TimedEvent } from '../core/protocol.js';
 import type { Pool } from '../core/pool.js';
 import type { JobOptions, JobStart } from '../model/job.js';
 import type { ModelFile } from './model-file.js';
+import { never } from './place.js';
 
 /** How a run ended. */
 export type Outcome =
@@ -30,7 +31,18 @@ function failure(error: JobError, wasRead: boolean): Failure {
 export class JobRunner {
   private abort: AbortController | null = null;
 
-  constructor(private readonly pool: Pool) {}
+  /**
+   * @param engine gives the workers
+   * @param life ends the running job; whoever waits for that one waits for ever
+   * @param onEvent hears all that jobs tell
+   */
+  constructor(
+    private readonly engine: () => Pool,
+    private readonly life: AbortSignal,
+    private readonly onEvent: (event: TimedEvent) => void,
+  ) {
+    life.addEventListener('abort', () => this.cancel());
+  }
 
   get running(): boolean {
     return this.abort !== null;
@@ -48,6 +60,16 @@ export class JobRunner {
     onEvent: (event: TimedEvent) => void,
     start?: JobStart,
   ): Promise<Outcome> {
+    const outcome = this.life.aborted ? never() : await this.runNow(model, options, onEvent, start);
+    return this.life.aborted ? never() : outcome;
+  }
+
+  private async runNow(
+    model: ModelFile,
+    options: JobOptions,
+    onEvent: (event: TimedEvent) => void,
+    start?: JobStart,
+  ): Promise<Outcome> {
     this.cancel();
     const abort = new AbortController();
     this.abort = abort;
@@ -55,6 +77,8 @@ export class JobRunner {
     let best: TimedResult | null = null;
     let wasRead = false;
     const hear = (event: TimedEvent): void => {
+      if (this.life.aborted) return;
+      this.onEvent(event);
       wasRead ||= event.type === 'model';
       if (!signal.aborted) onEvent(event);
       if (event.type !== 'cancelled' || !event.best) return;
@@ -62,7 +86,7 @@ export class JobRunner {
     };
     try {
       const run = { signal, onEvent: hear, pictures: true, ...(start && { start }) };
-      const result = await runJob(this.pool, model.bytes, model.name, options, run);
+      const result = await runJob(this.engine(), model.bytes, model.name, options, run);
       return { type: 'done', result };
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled', best };

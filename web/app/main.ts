@@ -1,12 +1,12 @@
-import { browserPool } from '../core/browser-pool.js';
-import { takeNewestBuild } from './offline.js';
-import { Studio } from './studio.js';
+/** What the page does for itself; the studio in it is an element, which `../element` defines. */
+import { find } from './dom.js';
+import { keepForOffline, takeNewestBuild } from './offline.js';
 
 /** `?workers=N` in the address: for people who want to keep cores free, or use more of them. */
-function workersWanted(): number | undefined {
-  const workers = Number(new URLSearchParams(location.search).get('workers'));
-  return Number.isInteger(workers) && workers >= 1 && workers <= 64 ? workers : undefined;
-}
+const workers = new URLSearchParams(location.search).get('workers');
 
+const studio = find(document, 'foldwright-studio', HTMLElement);
+if (workers !== null) studio.setAttribute('workers', workers);
+// Not before: the files that the page needs come first.
+studio.addEventListener('foldwright-ready', () => void keepForOffline(), { once: true });
 void takeNewestBuild();
-void new Studio(browserPool(workersWanted())).start();

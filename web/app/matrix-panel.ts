@@ -1,11 +1,11 @@
 import type { MatrixPicture } from '../model/job.js';
 import { openPicture } from '../view/picture.js';
-import { find } from './dom.js';
+import { Panel } from './panel.js';
 
 /** The foldability matrix while it is learned, and with its blocks once it is clustered. */
-export class MatrixPanel {
-  private readonly words = find('#matrix-words', HTMLElement);
-  private readonly picture = openPicture(find('#matrix', HTMLElement));
+export class MatrixPanel extends Panel {
+  private readonly words = this.find('#matrix-words', HTMLElement);
+  private readonly picture = openPicture(this.find('#matrix', HTMLElement), this.place.life);
 
   clear(): void {
     this.words.textContent = 'every pair of faces is a dot';

@@ -1,12 +1,15 @@
-import { find, make } from './dom.js';
+import { make } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** The place where failures are told; what else is on the page stays as it is. */
-export class MessagePanel {
-  private readonly panel = find('#message', HTMLElement);
-  private readonly words = find('#message-words', HTMLElement);
+export class MessagePanel extends Panel {
+  private readonly panel = this.find('#message', HTMLElement);
+  private readonly words = this.find('#message-words', HTMLElement);
 
-  constructor() {
-    find('#message-close', HTMLButtonElement).addEventListener('click', () => this.clear());
+  constructor(place: StudioPlace) {
+    super(place);
+    this.find('#message-close', HTMLButtonElement).addEventListener('click', () => this.clear());
   }
 
   /** Shows a headline and sentences below it. */

@@ -1,11 +1,12 @@
-import { find } from './dom.js';
 import type { ModelFile } from './model-file.js';
 import type { OptionsForm } from './options-form.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import type { SampleGallery } from './sample-gallery.js';
 
 /** The model that the button unfolds. A file is chosen once the engine could read it, and not before. */
-export class ModelChoice {
-  private readonly words = find('#chosen', HTMLElement);
+export class ModelChoice extends Panel {
+  private readonly words = this.find('#chosen', HTMLElement);
   /** Shown while nothing is chosen. */
   private readonly formats = this.words.textContent ?? '';
   private readable: ModelFile | null = null;
@@ -14,9 +15,12 @@ export class ModelChoice {
   private opening = false;
 
   constructor(
+    place: StudioPlace,
     private readonly form: OptionsForm,
     private readonly gallery: SampleGallery,
-  ) {}
+  ) {
+    super(place);
+  }
 
   /** Null if there is none. */
   get model(): ModelFile | null {

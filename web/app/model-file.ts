@@ -18,6 +18,42 @@ function checkSize({ name, size }: File): void {
   );
 }
 
+/** The part of an address that names the file. */
+function fileNameOf(address: string): string {
+  const last =
+    address
+      .replace(/[?#].*$/, '')
+      .split('/')
+      .at(-1) ?? '';
+  try {
+    return decodeURIComponent(last);
+  } catch {
+    // A percent sign of its own.
+    return last;
+  }
+}
+
+/**
+ * Fetches a model from an address, which may be relative to `base`. Throws UnusableChoice for one that is not
+ * there, empty or too large.
+ */
+export async function fetchModelFile(
+  address: string,
+  base: string,
+  signal: AbortSignal,
+): Promise<ModelFile> {
+  const name = fileNameOf(address);
+  let bytes: Blob;
+  try {
+    const response = await fetch(new URL(address, base), { signal });
+    if (!response.ok) throw new Error(response.statusText);
+    bytes = await response.blob();
+  } catch {
+    throw new UnusableChoice(`“${name}” cannot be loaded.`);
+  }
+  return readModelFile([new File([bytes], name)]);
+}
+
 /**
  * Reads the one file of a choice. Throws UnusableChoice for several files, and for one that is empty,
  * unreadable or too large.

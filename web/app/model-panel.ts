@@ -1,8 +1,9 @@
 import type { JobResult, Piece } from '../model/job.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
-import { find } from './dom.js';
 import { FoldingPanel } from './folding-panel.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import type { RunPictures } from './run-pictures.js';
 
 interface ShownModel {
@@ -16,22 +17,28 @@ const excuses: Readonly<Record<DrawingFailure, string>> = {
 };
 
 /** The model in 3D, and when it is finished its folding. */
-export class ModelPanel {
-  readonly figure = find('#model', HTMLElement);
-  private readonly picture = find('#model-picture', HTMLElement);
-  private readonly note = find('#model-note', HTMLElement);
-  private readonly name = find('#model-name', HTMLElement);
-  private readonly view = modelView(
-    this.picture,
-    (failure) => this.excuse(excuses[failure]),
-    (part) => this.onPick(part),
+export class ModelPanel extends Panel {
+  readonly figure = this.find('#model', HTMLElement);
+  private readonly picture = this.find('#model-picture', HTMLElement);
+  private readonly note = this.find('#model-note', HTMLElement);
+  private readonly name = this.find('#model-name', HTMLElement);
+  private readonly view = modelView(this.picture, this.place.life, {
+    onFailure: (failure) => this.excuse(excuses[failure]),
+    onPick: (part) => this.onPick(part),
+  });
+  private readonly folding = new FoldingPanel(this.place, (time) =>
+    this.view.tell({ type: 'time', time }),
   );
-  private readonly folding = new FoldingPanel((time) => this.view.tell({ type: 'time', time }));
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
 
   /** @param onPick is told the part of the model that was clicked */
-  constructor(private readonly onPick: (part: number) => void) {}
+  constructor(
+    place: StudioPlace,
+    private readonly onPick: (part: number) => void,
+  ) {
+    super(place);
+  }
 
   /** Loads what draws, so that the page appears without it. */
   prepare(): void {

@@ -1,6 +1,7 @@
 import { defaultOptions } from '../model/default-options.js';
 import type { FoldingMode, Heuristic, JobOptions, Segmenter, Solver } from '../model/job.js';
-import { find } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** What this part of the form decides. */
 export type Method = Pick<
@@ -39,19 +40,20 @@ function amount(field: HTMLInputElement, fallback: number): number {
 }
 
 /** The fields for how parts and nets are found. */
-export class MoreOptions {
-  private readonly solver = find('#solver', HTMLSelectElement);
-  private readonly hint = find('#solver-hint', HTMLElement);
-  private readonly seed = find('#seed', HTMLInputElement);
-  private readonly segment = find('#segment', HTMLSelectElement);
-  private readonly heuristic = find('#heuristic', HTMLSelectElement);
-  private readonly runs = find('#runs', HTMLInputElement);
-  private readonly faces = find('#faces', HTMLInputElement);
-  private readonly proxy = find('#proxy', HTMLInputElement);
-  private readonly folding = find('#folding-mode', HTMLSelectElement);
-  private readonly foldingHint = find('#folding-hint', HTMLElement);
+export class MoreOptions extends Panel {
+  private readonly solver = this.find('#solver', HTMLSelectElement);
+  private readonly hint = this.find('#solver-hint', HTMLElement);
+  readonly seed = this.find('#seed', HTMLInputElement);
+  private readonly segment = this.find('#segment', HTMLSelectElement);
+  private readonly heuristic = this.find('#heuristic', HTMLSelectElement);
+  private readonly runs = this.find('#runs', HTMLInputElement);
+  private readonly faces = this.find('#faces', HTMLInputElement);
+  private readonly proxy = this.find('#proxy', HTMLInputElement);
+  private readonly folding = this.find('#folding-mode', HTMLSelectElement);
+  private readonly foldingHint = this.find('#folding-hint', HTMLElement);
 
-  constructor() {
+  constructor(place: StudioPlace) {
+    super(place);
     this.seed.placeholder = String(defaultOptions.seed);
     this.runs.placeholder = String(defaultOptions.runs);
     this.proxy.placeholder = String(defaultOptions.proxy);
@@ -60,7 +62,7 @@ export class MoreOptions {
     }
     this.explain();
     // A field that makes no sense cannot be pointed at while it is folded away.
-    const more = find('#more', HTMLDetailsElement);
+    const more = this.find('#more', HTMLDetailsElement);
     more.addEventListener('invalid', () => (more.open = true), true);
   }
 

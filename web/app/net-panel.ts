@@ -2,17 +2,18 @@ import type { JobEvent, JobResult, NetPicture } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import { finishedNet } from '../view/finished-net.js';
 import { openPicture } from '../view/picture.js';
-import { find, make } from './dom.js';
+import { make } from './dom.js';
+import { Panel } from './panel.js';
 
 /** The net that is being searched, and a chip for each part, filled when its net is found. */
-export class NetPanel {
-  private readonly words = find('#net-words', HTMLElement);
-  private readonly chips = find('#net-chips', HTMLElement);
+export class NetPanel extends Panel {
+  private readonly words = this.find('#net-words', HTMLElement);
+  private readonly chips = this.find('#net-chips', HTMLElement);
   private net: NetPicture | null = null;
   private part = 0;
   private labels: Int32Array | null = null;
   private hatched = false;
-  private readonly picture = openPicture(find('#net', HTMLElement));
+  private readonly picture = openPicture(this.find('#net', HTMLElement), this.place.life);
 
   clear(): void {
     this.net = null;

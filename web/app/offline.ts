@@ -55,7 +55,7 @@ async function serving(serviceWorker: ServiceWorkerContainer): Promise<void> {
 
 /** Keeps all files of the studio on this device, and says when it needs no network any more. */
 export async function keepForOffline(): Promise<void> {
-  const words = find('#offline', HTMLElement);
+  const words = find(document, '#offline', HTMLElement);
   // Pages that came over a connection that is not secure have none.
   const { serviceWorker } = navigator as Partial<Navigator>;
   if (!serviceWorker) return;

@@ -1,9 +1,11 @@
 import { defaultOptions } from '../model/default-options.js';
 import type { JobOptions, Orientation } from '../model/job.js';
-import { paperSizes, type PaperSize } from '../model/paper.js';
-import { find, make } from './dom.js';
+import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
+import { make } from './dom.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import { SizeFields } from './size-fields.js';
 
 /** What the form asks for. */
@@ -12,34 +14,53 @@ export interface Wishes {
   paper: PaperSize;
 }
 
+/** Values of fields, as text. */
+export interface Preset {
+  /** A number, or nothing or `auto` for what the shape says. */
+  parts?: string;
+  seed?: string;
+  /** Name of a paper, or WxH in mm. */
+  paper?: string;
+}
+
 const orientations: readonly Orientation[] = ['auto', 'portrait', 'landscape'];
 
 function inches(length: number): string {
   return String(Math.round((length / 25.4) * 10) / 10);
 }
 
+/** Puts a value into a field that takes it. */
+function fill(field: HTMLInputElement, value: string): void {
+  const before = field.value;
+  field.value = value;
+  if (!field.validity.valid || field.value !== value) field.value = before;
+}
+
 function paperLabel({ name, width, height }: PaperSize): string {
-  if (name.includes('x')) return `${inches(width)} × ${inches(height)} in`;
+  if (name.endsWith('in')) return `${inches(width)} × ${inches(height)} in`;
+  if (name.includes('x')) return `${width} × ${height} mm`;
   return `${name} (${Math.round(width)} × ${Math.round(height)} mm)`;
 }
 
-/** The fields for parts and paper, those for the method, and the button that starts. */
-export class OptionsForm {
-  private readonly form = find('#controls', HTMLFormElement);
-  private readonly parts = find('#parts', HTMLInputElement);
-  private readonly paper = find('#paper', HTMLSelectElement);
-  private readonly orientation = find('#orientation', HTMLSelectElement);
-  private readonly margin = find('#margin', HTMLInputElement);
-  private readonly button = find('#unfold', HTMLButtonElement);
-  private readonly more = new MoreOptions();
-  private readonly size = new SizeFields();
-  private readonly flaps = new FlapFields();
+function paperOption(size: PaperSize): HTMLOptionElement {
+  return make('option', { value: size.name, textContent: paperLabel(size) });
+}
 
-  constructor(onSubmit: () => void) {
-    const papers = paperSizes.map((size) =>
-      make('option', { value: size.name, textContent: paperLabel(size) }),
-    );
-    this.paper.replaceChildren(...papers);
+/** The fields for parts and paper, those for the method, and the button that starts. */
+export class OptionsForm extends Panel {
+  private readonly form = this.find('#controls', HTMLFormElement);
+  private readonly parts = this.find('#parts', HTMLInputElement);
+  private readonly paper = this.find('#paper', HTMLSelectElement);
+  private readonly orientation = this.find('#orientation', HTMLSelectElement);
+  private readonly margin = this.find('#margin', HTMLInputElement);
+  private readonly button = this.find('#unfold', HTMLButtonElement);
+  private readonly more = new MoreOptions(this.place);
+  private readonly size = new SizeFields(this.place);
+  private readonly flaps = new FlapFields(this.place);
+
+  constructor(place: StudioPlace, onSubmit: () => void) {
+    super(place);
+    this.paper.replaceChildren(...paperSizes.map(paperOption));
     this.paper.value = 'A4';
     this.margin.value = String(defaultOptions.margin);
     this.form.addEventListener('submit', (event) => {
@@ -75,10 +96,20 @@ export class OptionsForm {
     this.button.focus({ preventScroll: true });
   }
 
+  /** Fills in fields; a value that a field does not take is ignored. */
+  preset({ parts, seed, paper }: Preset): void {
+    const size = paperCalled(paper ?? '');
+    if (size) this.choosePaper(size);
+    if (parts !== undefined) fill(this.parts, parts === 'auto' ? '' : parts);
+    if (seed !== undefined) fill(this.more.seed, seed);
+    // As if a person had: what depends on the fields looks at them again.
+    this.form.dispatchEvent(new Event('input'));
+  }
+
   /** What the fields say now; null after showing the person the field that makes no sense. */
   read(): Wishes | null {
     if (!this.form.reportValidity()) return null;
-    const paper = paperSizes.find(({ name }) => name === this.paper.value) ?? paperSizes[0]!;
+    const paper = paperCalled(this.paper.value) ?? paperSizes[0]!;
     const orientation = orientations.find((value) => value === this.orientation.value) ?? 'auto';
     const job: JobOptions = {
       // For whatever has no field here.
@@ -93,5 +124,12 @@ export class OptionsForm {
       margin: this.margin.value === '' ? defaultOptions.margin : this.margin.valueAsNumber,
     };
     return { job, paper };
+  }
+
+  /** One of no common size is added to the list. */
+  private choosePaper(size: PaperSize): void {
+    const isListed = [...this.paper.options].some(({ value }) => value === size.name);
+    if (!isListed) this.paper.append(paperOption(size));
+    this.paper.value = size.name;
   }
 }

@@ -50,7 +50,7 @@ export class PartRow {
     this.pieces.classList.toggle('visually-hidden', isShown);
     this.button.title = `${faces} faces`;
     if (!nameable) this.field.remove();
-    else if (!this.field.isConnected) this.item.append(this.field);
+    else if (!this.field.parentNode) this.item.append(this.field);
     if (!this.editing) this.takeBack();
   }
 

@@ -1,8 +1,9 @@
 import { merging, splitting } from '../model/edits.js';
 import type { PartEdit, JobResult } from '../model/job.js';
 import { hangTogether, type Neighbours, partNeighbours } from '../model/part-neighbours.js';
-import { find } from './dom.js';
+import { Panel } from './panel.js';
 import { PartRow } from './part-row.js';
+import type { StudioPlace } from './place.js';
 import { finishedParts } from './result-words.js';
 
 /** What a person asks for, and its name. */
@@ -29,23 +30,27 @@ export function partNumbers(parts: number[]): string {
 }
 
 /** The parts of a result: choose some, split, merge or name them, and take that back. */
-export class PartsPanel {
+export class PartsPanel extends Panel {
   /** Where the progress of a change is shown. */
-  readonly progress = find('#parts-progress', HTMLElement);
-  private readonly card = find('#parts-card', HTMLElement);
-  private readonly list = find('#parts-list', HTMLElement);
-  private readonly splitButton = find('#split', HTMLButtonElement);
-  private readonly into = find('#split-into', HTMLInputElement);
-  private readonly mergeButton = find('#merge', HTMLButtonElement);
-  private readonly undoButton = find('#undo', HTMLButtonElement);
-  private readonly apart = find('#merge-apart', HTMLElement);
+  readonly progress = this.find('#parts-progress', HTMLElement);
+  private readonly card = this.find('#parts-card', HTMLElement);
+  private readonly list = this.find('#parts-list', HTMLElement);
+  private readonly splitButton = this.find('#split', HTMLButtonElement);
+  private readonly into = this.find('#split-into', HTMLInputElement);
+  private readonly mergeButton = this.find('#merge', HTMLButtonElement);
+  private readonly undoButton = this.find('#undo', HTMLButtonElement);
+  private readonly apart = this.find('#merge-apart', HTMLElement);
   private readonly selected = new Set<number>();
-  private readonly fault = find('#name-fault', HTMLElement);
+  private readonly fault = this.find('#name-fault', HTMLElement);
   private rows: PartRow[] = [];
   private neighbours: Neighbours = [];
   private busy = false;
 
-  constructor(private readonly listener: PartsListener) {
+  constructor(
+    place: StudioPlace,
+    private readonly listener: PartsListener,
+  ) {
+    super(place);
     this.on(this.splitButton, () => this.split());
     this.on(this.mergeButton, () => this.merge());
     this.on(this.undoButton, () => listener.undo());

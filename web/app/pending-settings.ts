@@ -1,5 +1,7 @@
 import { find } from './dom.js';
 import { listed } from './folding-words.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** What the fields of the form hold, by their ids. */
 export type Settings = ReadonlyMap<string, string>;
@@ -20,12 +22,13 @@ function nameOf({ labels, id }: Field): string {
 }
 
 /** Marks the settings that differ from those that the result was made with, until they are applied. */
-export class PendingSettings {
-  private readonly form = find('#controls', HTMLFormElement);
-  private readonly notes = document.querySelectorAll<HTMLElement>('.pending');
+export class PendingSettings extends Panel {
+  private readonly form = this.find('#controls', HTMLFormElement);
+  private readonly notes = this.place.root.querySelectorAll<HTMLElement>('.pending');
   private applied: Settings | null = null;
 
-  constructor() {
+  constructor(place: StudioPlace) {
+    super(place);
     for (const type of ['input', 'change']) this.form.addEventListener(type, () => this.mark());
   }
 
@@ -56,7 +59,7 @@ export class PendingSettings {
     }
     for (const note of this.notes) {
       note.hidden = names.length === 0;
-      find('span', HTMLElement, note).textContent = `Not applied yet: ${listed(names)}.`;
+      find(note, 'span', HTMLElement).textContent = `Not applied yet: ${listed(names)}.`;
     }
   }
 }

@@ -9,7 +9,8 @@ import {
   type PrintOptions,
   type PrintStyle,
 } from '../model/print-options.js';
-import { find } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 const styles: readonly PrintStyle[] = ['foldwright', 'pepakura', 'blender'];
 const kinds: readonly LineKind[] = ['cut', 'mountain', 'valley'];
@@ -43,28 +44,29 @@ function number(field: HTMLInputElement, fallback: number): number {
 }
 
 /** The fields beside the sheets, for how they are drawn: every change shows at once. */
-export class PrintPanel {
+export class PrintPanel extends Panel {
   /** Called after every change. */
   onChange: () => void = () => undefined;
 
-  private readonly panel = find('#print', HTMLElement);
-  private readonly style = find('#print-style', HTMLSelectElement);
-  private readonly shaded = find('#print-flaps', HTMLInputElement);
-  private readonly flatFold = find('#print-flat-fold', HTMLInputElement);
-  private readonly angles = find('#print-angles', HTMLInputElement);
-  private readonly legend = find('#print-legend', HTMLInputElement);
-  private readonly across = find('#measured-across', HTMLInputElement);
-  private readonly up = find('#measured-up', HTMLInputElement);
-  private readonly state = find('#measured-state', HTMLElement);
-  private readonly badge = find('#measured-badge', HTMLElement);
+  private readonly panel = this.find('#print', HTMLElement);
+  private readonly style = this.find('#print-style', HTMLSelectElement);
+  private readonly shaded = this.find('#print-flaps', HTMLInputElement);
+  private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
+  private readonly angles = this.find('#print-angles', HTMLInputElement);
+  private readonly legend = this.find('#print-legend', HTMLInputElement);
+  private readonly across = this.find('#measured-across', HTMLInputElement);
+  private readonly up = this.find('#measured-up', HTMLInputElement);
+  private readonly state = this.find('#measured-state', HTMLElement);
+  private readonly badge = this.find('#measured-badge', HTMLElement);
   private readonly lines: Readonly<Record<LineKind, LineFields>>;
 
-  constructor() {
+  constructor(place: StudioPlace) {
+    super(place);
     const fields = (kind: LineKind): LineFields => ({
-      width: find(`#${kind}-width`, HTMLInputElement),
-      colour: find(`#${kind}-colour`, HTMLInputElement),
-      dash: kind === 'cut' ? null : find(`#${kind}-dash`, HTMLInputElement),
-      sample: find(`#${kind}-sample`, SVGPathElement),
+      width: this.find(`#${kind}-width`, HTMLInputElement),
+      colour: this.find(`#${kind}-colour`, HTMLInputElement),
+      dash: kind === 'cut' ? null : this.find(`#${kind}-dash`, HTMLInputElement),
+      sample: this.find(`#${kind}-sample`, SVGPathElement),
     });
     this.lines = { cut: fields('cut'), mountain: fields('mountain'), valley: fields('valley') };
     this.flatFold.placeholder = String(defaultPrint.flatFold);
@@ -80,7 +82,7 @@ export class PrintPanel {
     this.explain();
     this.style.addEventListener('input', () => this.fillIn());
     this.panel.addEventListener('input', () => this.change());
-    find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
+    this.find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
       this.across.value = this.up.value = '';
       this.change();
     });

@@ -1,33 +1,38 @@
 import type { JobEvent } from '../model/job.js';
-import { find, isForField } from './dom.js';
+import { isForField } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import { ProgressWords } from './progress-words.js';
 
 /** The card that tells how far a run is, with the button that ends it. */
-export class ProgressPanel {
-  private readonly card = find('#progress', HTMLElement);
-  private readonly model = find('#progress-model', HTMLElement);
-  private readonly words = find('#progress-words', HTMLElement);
-  private readonly bar = find('#progress-bar', HTMLProgressElement);
-  private readonly percent = find('#progress-percent', HTMLElement);
-  private readonly announcement = find('#announcement', HTMLElement);
-  private readonly cancel = find('#cancel', HTMLButtonElement);
+export class ProgressPanel extends Panel {
+  private readonly card = this.find('#progress', HTMLElement);
+  private readonly model = this.find('#progress-model', HTMLElement);
+  private readonly words = this.find('#progress-words', HTMLElement);
+  private readonly bar = this.find('#progress-bar', HTMLProgressElement);
+  private readonly percent = this.find('#progress-percent', HTMLElement);
+  private readonly announcement = this.find('#announcement', HTMLElement);
+  private readonly cancel = this.find('#cancel', HTMLButtonElement);
   private state = new ProgressWords();
 
-  constructor(onCancel: () => void) {
+  constructor(place: StudioPlace, onCancel: () => void) {
+    super(place);
     const stop = (): void => {
       this.words.textContent = 'Stopping. What is finished is kept.';
       onCancel();
     };
     this.cancel.addEventListener('click', stop);
-    document.addEventListener('keydown', (event) => {
+    const press = (event: Event): void => {
+      const isEscape = event instanceof KeyboardEvent && event.key === 'Escape';
       // In a field it closes a list, or takes back what was written.
-      if (event.key === 'Escape' && !this.card.hidden && !isForField(event)) stop();
-    });
+      if (isEscape && !this.card.hidden && !isForField(event)) stop();
+    };
+    place.ground.addEventListener('keydown', press, { signal: place.life });
   }
 
   /** Whether the keyboard is on the card, which is about to go. */
   get hasFocus(): boolean {
-    return this.card.contains(document.activeElement);
+    return this.card.matches(':focus-within');
   }
 
   /** Starts anew for a model, in its own place or in another one. */

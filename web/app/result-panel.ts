@@ -1,5 +1,5 @@
 import type { JobResult, Notice } from '../model/job.js';
-import { find, make } from './dom.js';
+import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import type { FinishedRun } from './finished-run.js';
 import {
@@ -9,7 +9,9 @@ import {
   repairRemarks,
   resultFacts,
 } from './result-words.js';
-import type { PrintPanel } from './print-panel.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
+import { PrintPanel } from './print-panel.js';
 import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
 import type { StepsPanel } from './steps-panel.js';
@@ -36,13 +38,14 @@ function remarkList(title: string, remarks: string[]): HTMLElement[] {
 }
 
 /** The summary of a result with its downloads, its sheets and the steps to build it. */
-export class ResultPanel {
-  private readonly panel = find('#result', HTMLElement);
-  private readonly title = find('#result-title', HTMLElement);
-  private readonly lead = find('#result-lead', HTMLElement);
-  private readonly facts = find('#facts', HTMLElement);
-  private readonly remarks = find('#remarks', HTMLElement);
+export class ResultPanel extends Panel {
+  private readonly panel = this.find('#result', HTMLElement);
+  private readonly title = this.find('#result-title', HTMLElement);
+  private readonly lead = this.find('#result-lead', HTMLElement);
+  private readonly facts = this.find('#facts', HTMLElement);
+  private readonly remarks = this.find('#remarks', HTMLElement);
 
+  private readonly print = new PrintPanel(this.place);
   /** What is on the page, and what writes it. */
   private shownRun: { run: FinishedRun; writer: ResultWriter } | null = null;
   /** Counts results, so that a later one is not replaced by one that took longer to draw. */
@@ -51,12 +54,13 @@ export class ResultPanel {
   private looks = 0;
 
   constructor(
+    place: StudioPlace,
     private readonly downloads: DownloadBar,
     private readonly sheets: SheetList,
     private readonly steps: StepsPanel,
-    private readonly print: PrintPanel,
   ) {
-    print.onChange = () => {
+    super(place);
+    this.print.onChange = () => {
       ++this.looks;
       void this.redraw();
     };
@@ -92,7 +96,7 @@ export class ResultPanel {
     const { model, wishes, result } = run;
     const [turn, look] = [++this.turns, this.looks];
     const source = { result, name: stem(model.name), margin: wishes.job.margin };
-    const writer = new ResultWriter(source, this.print.read());
+    const writer = new ResultWriter(source, this.print.read(), this.place.life);
     try {
       const sheets = await this.sheets.draw(result, writer);
       const notices = await writer.notices();

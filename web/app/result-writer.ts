@@ -1,7 +1,10 @@
 import type { Notice } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
+import { startModuleWorker } from '../browser/module-worker.js';
 import type { ExportedFile } from './exporters.js';
+import { never } from './place.js';
 import type { WriterAnswer, WriterInput, WriterOrder, WriterSource } from './writer-worker.js';
+import writerAddress from './writer-worker.ts?worker&url';
 
 /**
  * Writes one result, in a worker, because thousands of faces would keep the page for too long. The
@@ -12,10 +15,14 @@ export class ResultWriter {
   /** Ends the waiting for whatever the present worker has not written yet. */
   private end = new AbortController();
 
-  /** @param options how the sheets look; may be changed between orders */
+  /**
+   * @param options how the sheets look; may be changed between orders
+   * @param life ends the worker, and whoever waits for it waits for ever
+   */
   constructor(
     private readonly source: WriterSource,
     public options: PrintOptions,
+    private readonly life: AbortSignal,
   ) {}
 
   /** One sheet, counted from 0, as SVG. */
@@ -42,6 +49,7 @@ export class ResultWriter {
   }
 
   private order<Content>(order: WriterOrder): Promise<Content> {
+    if (this.life.aborted) return never();
     this.worker ??= this.start();
     const { worker } = this;
     const { signal } = this.end;
@@ -58,8 +66,9 @@ export class ResultWriter {
   }
 
   private start(): Worker {
-    const worker = new Worker(new URL('./writer-worker.ts', import.meta.url), { type: 'module' });
+    const worker = startModuleWorker(writerAddress);
     worker.addEventListener('error', ({ message }) => this.close(message));
+    this.life.addEventListener('abort', () => worker.terminate(), { signal: this.end.signal });
     const first: WriterInput = { type: 'input', source: this.source };
     worker.postMessage(first);
     return worker;

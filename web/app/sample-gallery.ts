@@ -1,5 +1,8 @@
-import { find, make } from './dom.js';
+import catalogAddress from '/samples/catalog.json?url';
+import { make } from './dom.js';
 import { UnusableChoice, type ModelFile } from './model-file.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** An entry of the catalogue that is made with the samples. */
 interface Sample {
@@ -10,9 +13,9 @@ interface Sample {
   faces: number;
 }
 
-/** The catalogue lies beside the page; the address must not depend on where the scripts lie. */
+/** The samples lie beside their catalogue, among the files of the studio, wherever the page comes from. */
 function sampleAddress(name: string): string {
-  return new URL(`samples/${name}`, document.baseURI).href;
+  return new URL(name, new URL(catalogAddress, location.href)).href;
 }
 
 async function fetchSample(name: string): Promise<Response> {
@@ -29,10 +32,15 @@ async function readSample({ file }: Sample): Promise<ModelFile> {
 }
 
 /** The pictures of the samples; one press chooses a sample. */
-export class SampleGallery {
-  private readonly list = find('#samples', HTMLUListElement);
+export class SampleGallery extends Panel {
+  private readonly list = this.find('#samples', HTMLUListElement);
 
-  constructor(private readonly onChoice: (model: Promise<ModelFile>) => void) {}
+  constructor(
+    place: StudioPlace,
+    private readonly onChoice: (model: Promise<ModelFile>) => void,
+  ) {
+    super(place);
+  }
 
   /** Loads the catalogue and shows it. Throws UnusableChoice. */
   async load(): Promise<void> {

@@ -3,8 +3,10 @@ import { partColour } from '../model/part-colours.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture } from '../view/sheet-picture.js';
-import { find, make } from './dom.js';
+import { make } from './dom.js';
 import { nextFrame } from './next-frame.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
 import type { MarksBySheet } from './step-marks.js';
 
@@ -22,9 +24,9 @@ function drawSheet(result: JobResult, index: number, source: string): HTMLElemen
 }
 
 /** The sheets as they will be printed, with the parts in colour. */
-export class SheetList {
-  private readonly list = find('#sheets', HTMLOListElement);
-  private readonly zoom = find('#zoom', HTMLInputElement);
+export class SheetList extends Panel {
+  private readonly list = this.find('#sheets', HTMLOListElement);
+  private readonly zoom = this.find('#zoom', HTMLInputElement);
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
@@ -33,10 +35,12 @@ export class SheetList {
   private selected: readonly number[] = [];
 
   /** @param onPick is told the part of the piece that was clicked */
-  constructor(onPick: (part: number) => void) {
+  constructor(place: StudioPlace, onPick: (part: number) => void) {
+    super(place);
     this.zoom.addEventListener('input', () => this.resize());
-    // On a small screen a sheet is at first as wide as there is room.
-    this.zoom.value = String(Math.min(this.zoom.valueAsNumber, window.innerWidth - 32));
+    // Where there is little room, a sheet is at first as wide as it.
+    const { clientWidth } = this.find('.studio', HTMLElement);
+    this.zoom.value = String(Math.min(this.zoom.valueAsNumber, clientWidth - 32));
     this.list.addEventListener('click', ({ target }) => {
       const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
       const picked = this.pieces.find(({ name }) => name === area);

@@ -1,5 +1,6 @@
 import type { JobOptions, Sizing, Unit, Up } from '../model/job.js';
-import { find } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 
 /** What these fields decide. */
 export type Size = Pick<JobOptions, 'sizing' | 'size' | 'unit' | 'up'>;
@@ -25,16 +26,17 @@ const units: readonly Unit[] = ['guess', 'mm', 'cm', 'm', 'in'];
 const ups: readonly Up[] = ['guess', 'x', 'y', 'z'];
 
 /** The fields for the finished size and which way is up; the number and the unit show only where they are used. */
-export class SizeFields {
-  private readonly kind = find('#sizing', HTMLSelectElement);
-  private readonly amount = find('#size', HTMLInputElement);
-  private readonly amountField = find('#size-field', HTMLElement);
-  private readonly amountLabel = find('#size-label', HTMLElement);
-  private readonly unit = find('#unit', HTMLSelectElement);
-  private readonly up = find('#up', HTMLSelectElement);
-  private readonly unitField = find('#unit-field', HTMLElement);
+export class SizeFields extends Panel {
+  private readonly kind = this.find('#sizing', HTMLSelectElement);
+  private readonly amount = this.find('#size', HTMLInputElement);
+  private readonly amountField = this.find('#size-field', HTMLElement);
+  private readonly amountLabel = this.find('#size-label', HTMLElement);
+  private readonly unit = this.find('#unit', HTMLSelectElement);
+  private readonly up = this.find('#up', HTMLSelectElement);
+  private readonly unitField = this.find('#unit-field', HTMLElement);
 
-  constructor() {
+  constructor(place: StudioPlace) {
+    super(place);
     this.kind.addEventListener('change', () => this.show());
     this.show();
   }

@@ -1,7 +1,9 @@
 import { assemblySteps, type AssemblyStep } from '../model/assembly-steps.js';
 import { flightTimes } from '../model/choreography.js';
 import type { Piece } from '../model/job.js';
-import { find, make } from './dom.js';
+import { make } from './dom.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import { stepMarks, type MarksBySheet } from './step-marks.js';
 import { stepWords } from './step-words.js';
 
@@ -14,12 +16,16 @@ export interface StepListener {
 }
 
 /** The steps by which the model is built, one for each piece; a press shows one of them. */
-export class StepsPanel {
-  private readonly card = find('#steps-card', HTMLDetailsElement);
-  private readonly list = find('#steps', HTMLOListElement);
+export class StepsPanel extends Panel {
+  private readonly card = this.find('#steps-card', HTMLDetailsElement);
+  private readonly list = this.find('#steps', HTMLOListElement);
   private pieces: readonly Piece[] = [];
 
-  constructor(private readonly listener: StepListener) {
+  constructor(
+    place: StudioPlace,
+    private readonly listener: StepListener,
+  ) {
+    super(place);
     // Only then, because it takes some time and most people look at the sheets first.
     this.card.addEventListener('toggle', () => {
       if (this.card.open && this.list.childElementCount === 0) this.fill();

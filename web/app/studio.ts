@@ -3,7 +3,6 @@ import type { TimedEvent } from '../core/protocol.js';
 import { differentlyNamed, renamed, startFrom } from '../model/edits.js';
 import type { JobResult, PartName } from '../model/job.js';
 import { missingSupport } from './browser-support.js';
-import { find } from './dom.js';
 import { DownloadBar } from './download-bar.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
@@ -11,12 +10,12 @@ import { HatchSwitch } from './hatch-switch.js';
 import { type Failure, JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
-import { readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
-import { keepForOffline } from './offline.js';
-import { OptionsForm } from './options-form.js';
+import { fetchModelFile, readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
+import { OptionsForm, type Preset } from './options-form.js';
+import { Panel } from './panel.js';
 import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
-import { PrintPanel } from './print-panel.js';
+import type { StudioPlace } from './place.js';
 import { ProgressPanel } from './progress-panel.js';
 import { ResultPanel } from './result-panel.js';
 import { RunHistory } from './run-history.js';
@@ -26,7 +25,7 @@ import { SheetList } from './sheet-list.js';
 import { StepsPanel } from './steps-panel.js';
 import { Workshop } from './workshop.js';
 
-/** Ms after the page is complete: its pictures shall be there first. */
+/** Ms after the studio is complete: its pictures shall be there first. */
 const preparation = 300;
 
 /** Ms before the progress of naming is shown: most of the time it is done by then. */
@@ -45,36 +44,53 @@ function touched(before: JobResult, after: JobResult, { edits }: Change): number
   return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]!)))];
 }
 
-/** Ties the parts of the page together: a choice starts a run, a run ends in a result or a message. */
-export class Studio {
+export interface StudioListener {
+  /** The studio is complete, and begins to load what a run needs. */
+  onReady(): void;
+  /** What runs tell. */
+  onEvent(event: TimedEvent): void;
+}
+
+/** Ties the panels together: a choice starts a run, a run ends in a result or a message. */
+export class Studio extends Panel {
   private readonly runner: JobRunner;
-  private readonly message = new MessagePanel();
-  private readonly form = new OptionsForm(() => void this.unfold());
-  private readonly settings = new PendingSettings();
-  private readonly gallery = new SampleGallery((model) => void this.choose(model));
-  private readonly choice = new ModelChoice(this.form, this.gallery);
-  private readonly progress = new ProgressPanel(() => this.runner.cancel());
+  private readonly message = new MessagePanel(this.place);
+  private readonly form = new OptionsForm(this.place, () => void this.unfold());
+  private readonly settings = new PendingSettings(this.place);
+  private readonly gallery = new SampleGallery(this.place, (model) => {
+    void this.choose(model);
+  });
+  private readonly choice = new ModelChoice(this.place, this.form, this.gallery);
+  private readonly progress = new ProgressPanel(this.place, () => this.runner.cancel());
   private readonly workshop: Workshop;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly history = new RunHistory();
-  private readonly welcome = find('#welcome', HTMLElement);
+  private readonly welcome = this.find('#welcome', HTMLElement);
   /** Names that are being given to the parts of the result; null if none are. */
   private naming: PartName[] | null = null;
   /** The end of the last naming. */
   private named = Promise.resolve();
+  /** Whether this browser can run it. */
+  private isOpen = false;
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
   private choices = 0;
 
-  constructor(private readonly pool: Pool) {
-    this.runner = new JobRunner(pool);
-    const downloads = new DownloadBar((format) =>
+  /** @param engine gives the workers; is not asked before the studio has use for them */
+  constructor(
+    place: StudioPlace,
+    private readonly engine: () => Pool,
+    private readonly listener: StudioListener,
+  ) {
+    super(place);
+    this.runner = new JobRunner(engine, place.life, (event) => listener.onEvent(event));
+    const downloads = new DownloadBar(place, (format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
     );
     const pick = (part: number): void => this.parts.toggle(part);
-    const sheets = new SheetList(pick);
-    this.workshop = new Workshop(pick);
-    this.parts = new PartsPanel({
+    const sheets = new SheetList(place, pick);
+    this.workshop = new Workshop(place, pick);
+    this.parts = new PartsPanel(place, {
       select: (parts) => {
         this.workshop.select(parts);
         sheets.select(parts);
@@ -83,15 +99,15 @@ export class Studio {
       rename: (part, name) => (this.named = this.rename(part, name)),
       undo: () => void this.undo(),
     });
-    const steps = new StepsPanel({
+    const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    this.result = new ResultPanel(downloads, sheets, steps, new PrintPanel());
-    new HatchSwitch((hatched) => this.workshop.hatch(hatched));
+    this.result = new ResultPanel(place, downloads, sheets, steps);
+    new HatchSwitch(place, (hatched) => this.workshop.hatch(hatched));
   }
 
-  /** Opens the page for choices, or says why this browser cannot run it. */
+  /** Opens the studio for choices, or says why this browser cannot run it. */
   async start(): Promise<void> {
     const missing = missingSupport();
     if (missing !== null) {
@@ -99,14 +115,21 @@ export class Studio {
       this.form.close();
       return;
     }
-    new FilePicker((files) => void this.choose(readModelFile(files)));
+    this.isOpen = true;
+    new FilePicker(this.place, (files) => void this.choose(readModelFile(files)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
-    // The page is complete now: while a model is being chosen there is time for what a run needs.
-    setTimeout(() => {
-      this.pool.warm();
-      this.workshop.prepare();
-      void keepForOffline();
-    }, preparation);
+    // All is there now: while a model is being chosen there is time for what a run needs.
+    setTimeout(() => this.prepare(), preparation);
+  }
+
+  /** Fills in the fields for which there are values, and leaves the others as they are. */
+  preset(values: Preset): void {
+    this.form.preset(values);
+  }
+
+  /** Fetches a model from an address, which may be relative to `base`, and unfolds it. */
+  load(address: string, base: string): void {
+    if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life));
   }
 
   /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
@@ -116,6 +139,13 @@ export class Studio {
     if (!model || number !== this.choices) return;
     this.choice.take(model);
     await this.unfold();
+  }
+
+  private prepare(): void {
+    if (this.place.life.aborted) return;
+    this.engine().warm();
+    this.workshop.prepare();
+    this.listener.onReady();
   }
 
   private async unfold(): Promise<void> {

@@ -12,6 +12,14 @@ const output = {
       : 'assets/[name]-[hash][extname]',
 };
 
+const entries = {
+  index: path('index.html'),
+  // For other pages: under a name that they can rely on.
+  'foldwright-studio': path('../element/foldwright-studio.ts'),
+};
+const entryFileNames = ({ name }: { name: string }): string =>
+  name === 'foldwright-studio' ? '[name].js' : 'assets/[name]-[hash].js';
+
 /** The studio, for any folder of any host: every address in it is relative. */
 export default defineConfig({
   root: path('.'),
@@ -35,6 +43,10 @@ export default defineConfig({
     assetsInlineLimit: 0,
     // The 3D view, which loads after the page, is three.js for the most part.
     chunkSizeWarningLimit: 700,
-    rolldownOptions: { output },
+    rolldownOptions: {
+      input: entries,
+      preserveEntrySignatures: 'allow-extension',
+      output: { ...output, entryFileNames },
+    },
   },
 });

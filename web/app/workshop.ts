@@ -1,32 +1,34 @@
 import type { JobEvent, JobResult, Piece } from '../model/job.js';
 import { ChartPanel } from './chart-panel.js';
-import { find } from './dom.js';
 import { MatrixPanel } from './matrix-panel.js';
 import { ModelPanel } from './model-panel.js';
 import { NetPanel } from './net-panel.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
 import { RunPictures } from './run-pictures.js';
 
 /**
  * Where a run can be watched: the model, its foldability, the net under search and its fitness.
  * When a result arrives, the model moves beside it and the other pictures below it.
  */
-export class Workshop {
-  private readonly room = find('#workshop', HTMLElement);
-  private readonly views = find('#workshop-views', HTMLElement);
-  private readonly note = find('#workshop-note', HTMLElement);
-  private readonly pictures = find('#pictures', HTMLElement);
+export class Workshop extends Panel {
+  private readonly room = this.find('#workshop', HTMLElement);
+  private readonly views = this.find('#workshop-views', HTMLElement);
+  private readonly note = this.find('#workshop-note', HTMLElement);
+  private readonly pictures = this.find('#pictures', HTMLElement);
   private readonly model: ModelPanel;
-  private readonly matrix = new MatrixPanel();
-  private readonly net = new NetPanel();
-  private readonly chart = new ChartPanel();
+  private readonly matrix = new MatrixPanel(this.place);
+  private readonly net = new NetPanel(this.place);
+  private readonly chart = new ChartPanel(this.place);
   /** Of the present run, or the last one. */
   private present = new RunPictures('');
   /** Those that the panels show. */
   private shownPictures: RunPictures | null = null;
 
   /** @param onPick is told the part of the model that was clicked */
-  constructor(onPick: (part: number) => void) {
-    this.model = new ModelPanel(onPick);
+  constructor(place: StudioPlace, onPick: (part: number) => void) {
+    super(place);
+    this.model = new ModelPanel(place, onPick);
   }
 
   /** Whether a run that ended without a result has left something to see. */
@@ -93,8 +95,8 @@ export class Workshop {
       this.chart.show(pictures.fitness);
       this.shownPictures = pictures;
     }
-    find('#result-model', HTMLElement).append(this.model.figure);
-    find('#result-pictures', HTMLElement).append(this.pictures);
+    this.find('#result-model', HTMLElement).append(this.model.figure);
+    this.find('#result-pictures', HTMLElement).append(this.pictures);
     this.room.hidden = true;
   }
 

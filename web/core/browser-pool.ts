@@ -1,10 +1,12 @@
+import { startModuleWorker } from '../browser/module-worker.js';
 import { poolSize } from './pool-size.js';
 import { Pool } from './pool.js';
 import type { Answer } from './protocol.js';
 import type { Spawn } from './worker-port.js';
+import workerAddress from './worker.ts?worker&url';
 
 const spawn: Spawn = (listener) => {
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  const worker = startModuleWorker(workerAddress);
   worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => listener.onAnswer(data));
   worker.addEventListener('error', (event) => {
     listener.onDeath(event.message || 'its script could not be loaded');

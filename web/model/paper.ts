@@ -16,3 +16,15 @@ export const paperSizes: readonly PaperSize[] = [
   { name: 'Tabloid', width: 279.4, height: 431.8 },
   { name: '12x12in', width: 304.8, height: 304.8 },
 ];
+
+/** Sides of a sheet in mm. Below, no sheet has room beside a margin; above, no printer or cutter takes it. */
+const [leastSide, mostSide] = [20, 5000];
+
+/** The paper with this name, in upper or lower case, or of WxH mm, which comes back portrait; null if it is neither. */
+export function paperCalled(text: string): PaperSize | null {
+  const named = paperSizes.find(({ name }) => name.toLowerCase() === text.toLowerCase());
+  if (named) return named;
+  const sides = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/.exec(text)?.slice(1).map(Number);
+  if (!sides?.every((side) => side >= leastSide && side <= mostSide)) return null;
+  return { name: text, width: Math.min(...sides), height: Math.max(...sides) };
+}

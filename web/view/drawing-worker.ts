@@ -1,4 +1,4 @@
-import type { Drawer, SizeMessage } from './drawing.js';
+import type { CanvasMessage, Drawer } from './drawing.js';
 
 /**
  * A worker's side of a drawing: gets the canvas, says whether it can draw on it, and from then on
@@ -10,12 +10,15 @@ export function serveDrawing<Message, Answer = never>(
   make: (canvas: OffscreenCanvas, answer: (answer: Answer) => void) => Drawer<Message> | null,
 ): void {
   let drawer: Drawer<Message> | null = null;
-  addEventListener('message', ({ data }: MessageEvent<OffscreenCanvas | Message | SizeMessage>) => {
-    if (!(data instanceof OffscreenCanvas)) {
-      drawer?.(data);
-      return;
-    }
-    drawer = make(data, (answer) => postMessage(answer));
-    postMessage(drawer !== null);
-  });
+  addEventListener(
+    'message',
+    ({ data }: MessageEvent<OffscreenCanvas | Message | CanvasMessage>) => {
+      if (!(data instanceof OffscreenCanvas)) {
+        drawer?.(data);
+        return;
+      }
+      drawer = make(data, (answer) => postMessage(answer));
+      postMessage(drawer !== null);
+    },
+  );
 }

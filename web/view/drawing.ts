@@ -1,9 +1,12 @@
 import { watchSize, type PictureSize } from './picture-size.js';
 
-/** Takes what there is to draw, in plain data. Sizes of the canvas come to every drawer. */
-export type Drawer<Message> = (message: Message | SizeMessage) => void;
+/** Takes what there is to draw, in plain data. What is about the canvas comes to every drawer. */
+export type Drawer<Message> = (message: Message | CanvasMessage) => void;
 
-export type SizeMessage = { type: 'size' } & PictureSize;
+export type CanvasMessage =
+  | ({ type: 'size' } & PictureSize)
+  /** The last one: nobody sees the canvas any more, and what it holds can be freed. Workers are ended instead. */
+  | { type: 'end' };
 
 /** Where a drawing may be made. */
 export interface Places<Message, Answer = never> {
@@ -28,6 +31,11 @@ function isAble(worker: Worker): Promise<boolean> {
   });
 }
 
+export interface DrawingListener<Answer> {
+  onFailure?(failure: DrawingFailure): void;
+  onAnswer?(answer: Answer): void;
+}
+
 /**
  * Fills an element of the page with a picture that is drawn from messages: by a worker, so that the
  * page stays free, or by the page where workers cannot draw.
@@ -35,23 +43,23 @@ function isAble(worker: Worker): Promise<boolean> {
 export class Drawing<Message, Answer = never> {
   private opened = false;
   /** What was told before there was anyone to draw it. */
-  private waiting: (Message | SizeMessage)[] = [];
+  private waiting: (Message | CanvasMessage)[] = [];
   private drawer: Drawer<Message> = (message) => this.waiting.push(message);
 
+  /** @param life ends whoever draws, and frees what it has of the graphics card */
   constructor(
     private readonly frame: HTMLElement,
     private readonly places: Places<Message, Answer>,
-    private readonly onFailure: (failure: DrawingFailure) => void,
-    private readonly onAnswer: (answer: Answer) => void = () => undefined,
+    private readonly life: AbortSignal,
+    private readonly listener: DrawingListener<Answer> = {},
   ) {}
 
   /** Starts whoever draws, the first time that it is called. */
   async open(): Promise<void> {
-    if (this.opened) return;
+    if (this.opened || this.life.aborted) return;
     this.opened = true;
     try {
-      const drawer =
-        (await this.inWorker()) ?? (await this.places.here(this.newCanvas(), this.onAnswer));
+      const drawer = (await this.inWorker()) ?? (await this.here());
       if (drawer) this.begin(drawer);
       else this.fail('impossible');
     } catch (error) {
@@ -70,14 +78,27 @@ export class Drawing<Message, Answer = never> {
     if (!('transferControlToOffscreen' in canvas)) return null;
     const worker = this.places.worker();
     const offscreen = canvas.transferControlToOffscreen();
+    this.life.addEventListener('abort', () => worker.terminate());
     worker.postMessage(offscreen, [offscreen]);
     if (!(await isAble(worker))) {
       worker.terminate();
       return null;
     }
     worker.addEventListener('error', () => this.fail('broken'));
-    worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => this.onAnswer(data));
+    worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => this.answer(data));
     return (message) => worker.postMessage(message);
+  }
+
+  private async here(): Promise<Drawer<Message> | null> {
+    const drawer = await this.places.here(this.newCanvas(), (answer) => this.answer(answer));
+    const end = (): void => drawer?.({ type: 'end' });
+    if (this.life.aborted) end();
+    else this.life.addEventListener('abort', end);
+    return drawer;
+  }
+
+  private answer(answer: Answer): void {
+    this.listener.onAnswer?.(answer);
   }
 
   /** A canvas that was handed to a worker never comes back: each attempt needs one of its own. */
@@ -94,12 +115,12 @@ export class Drawing<Message, Answer = never> {
     this.drawer = drawer;
     this.waiting = [];
     waiting.forEach(drawer);
-    watchSize(this.frame, (size) => this.drawer({ type: 'size', ...size }));
+    watchSize(this.frame, this.life, (size) => this.drawer({ type: 'size', ...size }));
   }
 
   private fail(failure: DrawingFailure): void {
     this.waiting = [];
     this.drawer = () => undefined;
-    this.onFailure(failure);
+    this.listener.onFailure?.(failure);
   }
 }

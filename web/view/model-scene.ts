@@ -8,7 +8,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { PictureSize } from './picture-size.js';
-import type { SizeMessage } from './drawing.js';
+import type { CanvasMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
 import { ModelMesh } from './model-mesh.js';
@@ -64,7 +64,7 @@ export class ModelScene {
     canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
   }
 
-  take(message: ModelMessage | SizeMessage): void {
+  take(message: ModelMessage | CanvasMessage): void {
     switch (message.type) {
       case 'model':
         this.show(message);
@@ -98,8 +98,18 @@ export class ModelScene {
       case 'size':
         this.resize(message);
         break;
+      case 'end':
+        this.end();
+        return;
     }
     this.redraw.request();
+  }
+
+  /** Browsers bear few contexts at a time, and free those of lost canvases late. */
+  private end(): void {
+    this.turning = this.visible = false;
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   private show({ vertices, faces }: Extract<ModelMessage, { type: 'model' }>): void {

@@ -1,10 +1,12 @@
+import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing, type DrawingFailure, type Places } from './drawing.js';
 import type { ModelAnswer, ModelMessage } from './model-message.js';
+import modelWorker from './model-worker.ts?worker&url';
 import { TurnInput } from './turn-input.js';
 import { startWebGl } from './webgl.js';
 
 const places: Places<ModelMessage, ModelAnswer> = {
-  worker: () => new Worker(new URL('./model-worker.ts', import.meta.url), { type: 'module' }),
+  worker: () => startModuleWorker(modelWorker),
   async here(canvas, answer) {
     // Before anything is loaded for it.
     const context = startWebGl(canvas);
@@ -15,18 +17,27 @@ const places: Places<ModelMessage, ModelAnswer> = {
   },
 };
 
+export interface ModelViewListener {
+  /** `impossible` where there is no WebGL 2. */
+  onFailure(failure: DrawingFailure): void;
+  /** The part that was clicked. */
+  onPick(part: number): void;
+}
+
 /**
  * A model in 3D that fills an element of the page, and that mouse, fingers and keys turn.
  *
- * @param onFailure is told `impossible` where there is no WebGL 2
- * @param onPick is told the part that was clicked
+ * @param life ends it
  */
 export function modelView(
   frame: HTMLElement,
-  onFailure: (failure: DrawingFailure) => void,
-  onPick: (part: number) => void,
+  life: AbortSignal,
+  listener: ModelViewListener,
 ): Drawing<ModelMessage, ModelAnswer> {
-  const view = new Drawing(frame, places, onFailure, ({ part }) => onPick(part));
+  const view = new Drawing(frame, places, life, {
+    onFailure: (failure) => listener.onFailure(failure),
+    onAnswer: ({ part }) => listener.onPick(part),
+  });
   new TurnInput(
     frame,
     (turn) => view.tell({ type: 'turn', ...turn }),

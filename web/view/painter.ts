@@ -1,7 +1,7 @@
 import type { MatrixPicture } from '../model/job.js';
 import type { PictureSize } from './picture-size.js';
 import type { Canvas2d } from './context-2d.js';
-import type { SizeMessage } from './drawing.js';
+import type { CanvasMessage } from './drawing.js';
 import { drawMatrix } from './matrix-picture.js';
 import { drawNet, type PaintedNet } from './net-picture.js';
 import { Redraw } from './redraw.js';
@@ -21,7 +21,8 @@ export class Painter {
 
   constructor(private readonly canvas: Canvas2d) {}
 
-  take(message: PictureMessage | SizeMessage): void {
+  take(message: PictureMessage | CanvasMessage): void {
+    if (message.type === 'end') return;
     if (message.type === 'size') this.size = message;
     else this.subject = message;
     this.redraw.request();

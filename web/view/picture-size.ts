@@ -8,10 +8,16 @@ export interface PictureSize {
 // More pixels than this cannot be seen and are slow to fill.
 const mostDense = 2;
 
-/** Tells the size of an element, at once and whenever it changes. */
-export function watchSize(frame: HTMLElement, tell: (size: PictureSize) => void): void {
-  new ResizeObserver(() => {
+/** Tells the size of an element, at once and whenever it changes, until `life` ends. */
+export function watchSize(
+  frame: HTMLElement,
+  life: AbortSignal,
+  tell: (size: PictureSize) => void,
+): void {
+  const observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = frame;
     tell({ width, height, density: Math.min(window.devicePixelRatio, mostDense) });
-  }).observe(frame);
+  });
+  observer.observe(frame);
+  life.addEventListener('abort', () => observer.disconnect());
 }

@@ -1,18 +1,20 @@
+import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing } from './drawing.js';
 import { Painter, type PictureMessage } from './painter.js';
+import pictureWorker from './picture-worker.ts?worker&url';
 
-/** A flat picture in an element of the page. A run is of use without it, too: nothing fails. */
-export function openPicture(frame: HTMLElement): Drawing<PictureMessage> {
+/** A flat picture in an element of the page, until `life` ends. A run is of use without it, too: nothing fails. */
+export function openPicture(frame: HTMLElement, life: AbortSignal): Drawing<PictureMessage> {
   const picture = new Drawing<PictureMessage>(
     frame,
     {
-      worker: () => new Worker(new URL('./picture-worker.ts', import.meta.url), { type: 'module' }),
+      worker: () => startModuleWorker(pictureWorker),
       here: (canvas) => {
         const painter = new Painter(canvas);
         return Promise.resolve((message) => painter.take(message));
       },
     },
-    () => undefined,
+    life,
   );
   void picture.open();
   return picture;

@@ -96,7 +96,7 @@ export class TurnInput {
 
   private roll(event: WheelEvent): void {
     // The wheel belongs to the page until the model has been chosen.
-    if (document.activeElement !== this.frame) return;
+    if (!this.frame.matches(':focus')) return;
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE;
     const notches = (event.deltaY * (lines ? wheelLine : 1)) / wheelNotch;
