@@ -25,7 +25,7 @@ const mayKnow = {
   'web/view': ['browser', 'model'],
   'web/export': ['model'],
   'web/pwa': ['model'],
-  'web/api': ['export', 'core', 'model'],
+  'web/api': ['export', 'core', 'browser', 'model'],
   'web/cli': ['api', 'export', 'core', 'model'],
   'web/app': ['api', 'pwa', ...web],
   'web/element': ['api', 'app', ...web],

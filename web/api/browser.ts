@@ -1,8 +1,8 @@
 /** The package in a page or a worker. */
+import { loadFont } from '../browser/font-loader.js';
 import { browserPool } from '../core/browser-pool.js';
 import { makeDoor } from './door.js';
-import { fetchFont } from './browser-fonts.js';
 
-export const { open, unfold } = makeDoor({ startPool: () => browserPool(), loadFont: fetchFont });
-export { browserPool as startPool };
+export const { open, unfold } = makeDoor({ startPool: browserPool, loadFont });
+export { browserPool as startPool, type EngineAddresses } from '../core/browser-pool.js';
 export * from './exports.js';

@@ -1,8 +1,8 @@
 /** The two ways in, whatever they run on. */
 import type { TimedResult } from '../core/client.js';
 import type { Pool } from '../core/pool.js';
-import type { ExportFormat, WrittenFile } from '../export/files.js';
-import type { FontLoader } from '../export/font-set.js';
+import type { ExportFormat, WrittenFile } from '../export/formats.js';
+import type { FontLoader } from '../export/font-loader.js';
 import type { Report } from '../export/report.js';
 import type { Options } from '../model/written-options.js';
 import { chooseModel } from './model-files.js';
@@ -10,8 +10,13 @@ import { Session } from './session.js';
 import type { ModelFile, WorkOptions } from './work.js';
 
 export interface OpenOptions {
-  /** Workers to share with others; without it the session starts its own and ends them. */
+  /**
+   * Workers to share with others, from `startPool`, which also takes the addresses of worker and WASM
+   * where a host keeps them elsewhere; without it the session starts its own and ends them.
+   */
   pool?: Pool;
+  /** Gets fonts by the names of their files, where they are not beside the package's own. */
+  loadFont?: FontLoader;
 }
 
 /** What came out of a model, ready to be written. */
@@ -44,13 +49,13 @@ export function makeDoor({ startPool, loadFont }: DoorOptions): Door {
   // Asynchronous, so that reading files of several kinds can become work.
   const open = async (
     files: readonly ModelFile[],
-    { pool }: OpenOptions = {},
+    { pool, loadFont: load = loadFont }: OpenOptions = {},
   ): Promise<Session> => {
-    const surroundings = { pool: pool ?? startPool(), loadFont, ownsPool: !pool };
+    const surroundings = { pool: pool ?? startPool(), loadFont: load, ownsPool: !pool };
     return Promise.resolve(new Session(chooseModel(files), surroundings));
   };
-  const unfold: Door['unfold'] = async (files, options = {}, { pool, ...work } = {}) => {
-    const session = await open(files, pool ? { pool } : {});
+  const unfold: Door['unfold'] = async (files, options = {}, work = {}) => {
+    const session = await open(files, work);
     try {
       const report = await session.run(options, work);
       const result = await session.result();

@@ -3,7 +3,7 @@ export type { TimedResult } from '../core/client.js';
 export { JobError } from '../core/job-error.js';
 export type { Pool } from '../core/pool.js';
 export type { TimedEvent } from '../core/protocol.js';
-export { exportFormats, type ExportFormat, type WrittenFile } from '../export/files.js';
+export { exportFormats, type ExportFormat, type WrittenFile } from '../export/formats.js';
 export type { Report } from '../export/report.js';
 export { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
 export type { JobResult } from '../model/job.js';

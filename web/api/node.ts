@@ -3,6 +3,6 @@ import { nodePool } from '../core/node-pool.js';
 import { makeDoor } from './door.js';
 import { readFontFile } from './node-fonts.js';
 
-export const { open, unfold } = makeDoor({ startPool: () => nodePool(), loadFont: readFontFile });
-export { nodePool as startPool };
+export const { open, unfold } = makeDoor({ startPool: nodePool, loadFont: readFontFile });
+export { nodePool as startPool, type EngineAddresses } from '../core/node-pool.js';
 export * from './exports.js';

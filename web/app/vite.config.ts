@@ -16,9 +16,10 @@ const entries = {
   index: path('index.html'),
   // For other pages: under a name that they can rely on.
   'foldwright-studio': path('../element/foldwright-studio.ts'),
+  foldwright: path('../api/browser.ts'),
 };
 const entryFileNames = ({ name }: { name: string }): string =>
-  name === 'foldwright-studio' ? '[name].js' : 'assets/[name]-[hash].js';
+  name.startsWith('foldwright') ? '[name].js' : 'assets/[name]-[hash].js';
 
 /** The studio, for any folder of any host: every address in it is relative. */
 export default defineConfig({

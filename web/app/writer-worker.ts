@@ -5,7 +5,7 @@ import { writeSvg } from '../export/svg.js';
 import type { JobResult, Notice } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { exportResult, type ExportedFile } from './exporters.js';
-import { loadFont } from './font-loader.js';
+import { loadFont } from '../browser/font-loader.js';
 
 /** What is written. */
 export interface WriterSource {

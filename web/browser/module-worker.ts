@@ -15,8 +15,10 @@ function relayTo(address: string): string {
  * Starts a worker from a module at an absolute address. Browsers start workers only from the page's own
  * origin, but let modules import from any that allows it (CORS): so scripts that lie elsewhere are imported
  * by one that does not.
+ *
+ * @param name what the script finds as its own `name`
  */
-export function startModuleWorker(address: string): Worker {
+export function startModuleWorker(address: string, name = ''): Worker {
   const isOwn = new URL(address, location.href).origin === location.origin;
-  return new Worker(isOwn ? address : relayTo(address), { type: 'module' });
+  return new Worker(isOwn ? address : relayTo(address), { type: 'module', name });
 }

@@ -1,5 +1,6 @@
 import { extname } from 'node:path';
-import { exportFormats, writeFiles, type ExportFormat } from '../export/files.js';
+import { writeFiles } from '../export/files.js';
+import { exportFormats, type ExportFormat } from '../export/formats.js';
 import type { Print } from '../export/print.js';
 import type { JobResult } from '../model/job.js';
 import { usageError } from './exit.js';

@@ -5,17 +5,26 @@ import type { Answer } from './protocol.js';
 import type { Spawn } from './worker-port.js';
 import workerAddress from './worker.ts?worker&url';
 
-const spawn: Spawn = (listener) => {
-  const worker = startModuleWorker(workerAddress);
-  worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => listener.onAnswer(data));
-  worker.addEventListener('error', (event) => {
-    listener.onDeath(event.message || 'its script could not be loaded');
-  });
-  return {
-    post: (request, transfer) => worker.postMessage(request, transfer),
-    close: () => worker.terminate(),
+/** Where a host keeps the engine's files, if not where the build put them; absolute. */
+export interface EngineAddresses {
+  /** The script of the workers. */
+  worker?: string | URL;
+  wasm?: string | URL;
+}
+
+function workersOf({ worker: script = workerAddress, wasm = '' }: EngineAddresses): Spawn {
+  return (listener) => {
+    const worker = startModuleWorker(String(script), String(wasm));
+    worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => listener.onAnswer(data));
+    worker.addEventListener('error', (event) => {
+      listener.onDeath(event.message || 'its script could not be loaded');
+    });
+    return {
+      post: (request, transfer) => worker.postMessage(request, transfer),
+      close: () => worker.terminate(),
+    };
   };
-};
+}
 
 function defaultSize(): number {
   // Some browsers tell the memory, in GiB and at most 8.
@@ -24,6 +33,6 @@ function defaultSize(): number {
 }
 
 /** A pool of module workers of the browser; by default as many as suit the device. */
-export function browserPool(size = defaultSize()): Pool {
-  return new Pool(spawn, size);
+export function browserPool(size = defaultSize(), addresses: EngineAddresses = {}): Pool {
+  return new Pool(workersOf(addresses), size);
 }

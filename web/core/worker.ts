@@ -14,8 +14,11 @@ function pause(): Promise<void> {
   });
 }
 
+/** A host that keeps the WASM elsewhere says so by the worker's name. */
+const { name } = self;
+
 const handle = serveEngine({
-  loadEngine: () => createFoldwright({ locateFile: () => wasmAddress }),
+  loadEngine: () => createFoldwright({ locateFile: () => name || wasmAddress }),
   post: (answer, transfer) => postMessage(answer, { transfer }),
   pause,
 });

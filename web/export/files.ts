@@ -1,16 +1,8 @@
-/** The one place that knows which formats there are and what writes them. */
+/** The one place that knows what writes each format. */
 import type { JobResult } from '../model/job.js';
+import type { ExportFormat, WrittenFile } from './formats.js';
 import type { Print } from './print.js';
 import { sheetName } from './sheet-name.js';
-
-export const exportFormats = ['fold', 'svg', 'pdf', 'glb'] as const;
-export type ExportFormat = (typeof exportFormats)[number];
-
-/** A file, not yet anywhere. */
-export interface WrittenFile {
-  name: string;
-  bytes: Uint8Array;
-}
 
 /** What files are made of. */
 export interface ExportSource {

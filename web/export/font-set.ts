@@ -1,8 +1,6 @@
 import { create, type Font } from 'fontkit';
+import type { FontLoader } from './font-loader.js';
 import { fontSlices } from './font-slices.js';
-
-/** Reads a file of `fontSlices`. */
-export type FontLoader = (file: string) => Promise<Uint8Array>;
 
 /** Neighbouring letters that one file has; `slice` is -1 for one that none has. */
 export interface FontRun {

@@ -1,7 +1,8 @@
 import type { JobResult, Notice } from '../model/job.js';
 import { isCalibrated, type PrintOptions } from '../model/print-options.js';
 import { calibrated, corrections, overrun } from './calibration.js';
-import type { FontLoader, FontSet } from './font-set.js';
+import type { FontLoader } from './font-loader.js';
+import type { FontSet } from './font-set.js';
 import { furnish } from './furniture.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
