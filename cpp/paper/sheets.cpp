@@ -19,13 +19,28 @@ constexpr double kFitSlack = 1 - 1e-9;
 // What a person drags comes back through decimals; a hundredth of a millimetre is no overlap.
 constexpr double kPinSlack = 0.01;
 
+/// A piece where it lies, with boxes that tell most of it apart from others.
+struct PlacedPrint {
+  explicit PlacedPrint(Footprint placed) : print(std::move(placed)), box(box_of(print.points())) {
+    for (const std::vector<Vec2>& polygon : print.polygons) boxes.push_back(box_of(polygon));
+  }
+
+  Footprint print;
+  std::vector<Box2> boxes;  ///< per polygon
+  Box2 box;
+};
+
 /// Whether two pieces where they lie overlap.
-bool collide(const Footprint& a, const Footprint& b) {
-  return std::ranges::any_of(a.polygons, [&](const std::vector<Vec2>& polygon) {
-    return std::ranges::any_of(b.polygons, [&](const std::vector<Vec2>& other) {
-      return convex_overlap(polygon, other, kPinSlack);
-    });
-  });
+bool collide(const PlacedPrint& a, const PlacedPrint& b) {
+  if (!a.box.meets(b.box)) return false;
+  for (std::size_t i = 0; i < a.boxes.size(); ++i) {
+    if (!a.boxes[i].meets(b.box)) continue;
+    for (std::size_t j = 0; j < b.boxes.size(); ++j) {
+      if (!a.boxes[i].meets(b.boxes[j])) continue;
+      if (convex_overlap(a.print.polygons[i], b.print.polygons[j], kPinSlack)) return true;
+    }
+  }
+  return false;
 }
 
 // Printers leave up to this much of the edge white, unless the margin says that this one does not.
@@ -96,11 +111,11 @@ bool is_within(const Footprint& print, const Extent& room) {
 /// Pieces that lie on sheets already.
 class PinnedPieces {
  public:
-  void add(std::size_t piece, int sheet, Footprint print) {
+  void add(std::size_t piece, int sheet, PlacedPrint print) {
     placed_.push_back({piece, sheet, std::move(print)});
   }
   /// The first piece that one on a sheet would overlap.
-  std::optional<std::size_t> hit_by(int sheet, const Footprint& print) const {
+  std::optional<std::size_t> hit_by(int sheet, const PlacedPrint& print) const {
     const auto found = std::ranges::find_if(placed_, [&](const Placed& other) {
       return other.sheet == sheet && collide(print, other.print);
     });
@@ -111,7 +126,7 @@ class PinnedPieces {
   struct Placed {
     std::size_t piece;
     int sheet;
-    Footprint print;
+    PlacedPrint print;
   };
   std::vector<Placed> placed_;
 };
@@ -122,8 +137,8 @@ std::string fault_of_pins(const SheetTask& task, const Extent& room) {
   for (std::size_t i = 0; i < task.pins.size(); ++i) {
     if (!task.pins[i]) continue;
     const int sheet = task.pins[i]->place.sheet;
-    Footprint print = placed(task.pieces[i], *task.pins[i], task.options);
-    if (!is_within(print, room)) {
+    PlacedPrint print(placed(task.pieces[i], *task.pins[i], task.options));
+    if (!is_within(print.print, room)) {
       return "piece " + task.names[i] + " is pinned partly outside the printable area of sheet " +
              std::to_string(sheet + 1);
     }
@@ -251,8 +266,8 @@ bool drop_clashing_pins(const SheetTask& task, std::span<const std::optional<Pin
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (!held[i] || pins[i].has_value() != by_person) continue;
       const int on = held[i]->place.sheet;
-      Footprint print = placed(task.pieces[i], *held[i], options);
-      if (is_within(print, room) && !pinned.hit_by(on, print)) {
+      PlacedPrint print(placed(task.pieces[i], *held[i], options));
+      if (is_within(print.print, room) && !pinned.hit_by(on, print)) {
         pinned.add(i, on, std::move(print));
       } else if (by_person) {
         return false;

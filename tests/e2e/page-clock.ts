@@ -1,7 +1,8 @@
+import { stages } from '../../web/model/stages.js';
 import type { StudioPage } from './studio-page.js';
 
 /** Words with which the progress of a stage begins, in the order of the stages. */
-export const stageWords = ['Reading', 'Learning', 'Choosing the parts', 'Laying', 'Placing'];
+export const stageWords = stages.map(({ words }) => words);
 
 /**
  * Cancels the next run as soon as the words of a stage appear. Resolves, once such a run has been

@@ -7,7 +7,8 @@ import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
 import { TaskDesk } from '../../web/core/task-desk.js';
 import { buffersOf } from '../../web/core/transfer.js';
-import type { JobEvent, Stage } from '../../web/model/job.js';
+import type { JobEvent } from '../../web/model/job.js';
+import type { Stage } from '../../web/model/stages.js';
 
 describe('nextBudget', () => {
   it('approaches ten milliseconds', () => {

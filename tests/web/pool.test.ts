@@ -7,7 +7,8 @@ import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { writeFold } from '../../web/export/fold.js';
 import { defaultOptions } from '../../web/model/default-options.js';
-import type { JobOptions, JobResult, Solver, Stage } from '../../web/model/job.js';
+import type { JobOptions, JobResult, Solver } from '../../web/model/job.js';
+import { stages } from '../../web/model/stages.js';
 import { sharedFolder } from './command.js';
 import { objText, wavyRing } from './model-text.js';
 import { isEngineBuilt, withThreads, type Killing } from './thread-pool.js';
@@ -103,7 +104,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       { victim: 'conductor', times: 1 },
     ));
 
-  it.each<Stage>(['read', 'learn', 'cluster', 'search', 'compact', 'paper'])(
+  it.each(stages.map(({ name }) => name))(
     'ends a run that is cancelled in the stage %s, and works on',
     (stage) =>
       withThreads(2, async (pool) => {

@@ -1,13 +1,7 @@
-import type { JobEvent, Stage } from '../model/job.js';
+import type { JobEvent } from '../model/job.js';
+import { byStage, type Stage } from '../model/stages.js';
 
-const stageWords: Readonly<Record<Stage, string>> = {
-  read: 'Reading the model',
-  learn: 'Learning which faces unfold well together',
-  cluster: 'Choosing the parts',
-  search: 'Laying the parts flat',
-  compact: 'Making room for flaps',
-  paper: 'Placing the pieces on sheets',
-};
+const stageWords = byStage(({ words }) => words);
 
 /** Follows the events of one job and puts them into words. */
 export class ProgressWords {

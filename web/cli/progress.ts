@@ -1,15 +1,8 @@
 import type { WriteStream } from 'node:tty';
 import type { TimedEvent } from '../core/protocol.js';
-import type { Stage } from '../model/job.js';
+import { byStage, type Stage } from '../model/stages.js';
 
-const stageNames: Record<Stage, string> = {
-  read: 'reading the model',
-  learn: 'learning from unfoldings',
-  cluster: 'cutting into parts',
-  search: 'searching nets',
-  compact: 'making room for flaps',
-  paper: 'placing on sheets',
-};
+const stageLines = byStage(({ line }) => line);
 
 /**
  * Tells on a stream how a job goes, one line that changes on a terminal, else one per stage; what there
@@ -48,9 +41,9 @@ export class Progress {
   private tell(stage: Stage, progress: number): void {
     if (this.stream.isTTY) {
       const percent = String(Math.floor(progress * 100)).padStart(3);
-      this.stream.write(`\r\x1b[K${percent} % ${stageNames[stage]}`);
+      this.stream.write(`\r\x1b[K${percent} % ${stageLines[stage]}`);
     } else if (stage !== this.stage) {
-      this.stream.write(`${stageNames[stage]}\n`);
+      this.stream.write(`${stageLines[stage]}\n`);
     }
     this.stage = stage;
   }

@@ -1,4 +1,4 @@
-import type { Stage } from '../model/job.js';
+import type { Stage } from '../model/stages.js';
 import type { TimedEvent } from './protocol.js';
 
 /** Batches in any second. */

@@ -1,16 +1,9 @@
-import type { Stage } from '../model/job.js';
-import type { StageSeconds } from '../model/stage-seconds.js';
+import { stageSeconds, type StageSeconds } from '../model/stage-seconds.js';
+import { byStage, type Stage } from '../model/stages.js';
 
 /** Adds up the time that a job spends in each stage. All times in ms. */
 export class StageClock {
-  private readonly spent: Record<Stage, number> = {
-    read: 0,
-    learn: 0,
-    cluster: 0,
-    search: 0,
-    compact: 0,
-    paper: 0,
-  };
+  private readonly spent = byStage(() => 0);
   private stage: Stage = 'read';
   private last: number;
 
@@ -32,17 +25,6 @@ export class StageClock {
 
   /** Seconds spent so far. */
   seconds(): StageSeconds {
-    const { read, learn, cluster, search, compact, paper } = this.spent;
-    return {
-      read: read / 1000,
-      learn: learn / 1000,
-      cluster: cluster / 1000,
-      search: search / 1000,
-      // Motions are part of the search.
-      fold: 0,
-      compact: compact / 1000,
-      paper: paper / 1000,
-      total: this.elapsed(this.last),
-    };
+    return stageSeconds((stage) => this.spent[stage] / 1000, this.elapsed(this.last));
   }
 }

@@ -2,6 +2,7 @@
  * What goes into a job and what comes out of it, as plain data. Lengths are millimetres unless a
  * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
  */
+import type { Stage } from './stages.js';
 
 export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
 export type Segmenter = 'merge' | 'spectral';
@@ -324,8 +325,6 @@ export interface JobResult {
   /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */
   hash: string;
 }
-
-export type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {

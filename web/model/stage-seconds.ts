@@ -1,27 +1,18 @@
-/** Wall-clock seconds that a job spent in each stage; `total` is the whole job. */
-export interface StageSeconds {
-  read: number;
-  learn: number;
-  cluster: number;
-  search: number;
-  /** Looking for folding motions. */
-  fold: number;
-  /** Making nets better to craft. */
-  compact: number;
-  paper: number;
-  total: number;
+import { stages, type Stage } from './stages.js';
+
+/**
+ * Wall-clock seconds that a job spent in each stage; `fold` are those of looking for motions, which is part
+ * of the search, and so 0; `total` is the whole job.
+ */
+export type StageSeconds = Record<Stage | 'fold' | 'total', number>;
+
+/** Seconds for each stage, from what makes them, and for the whole job. */
+export function stageSeconds(of: (stage: Stage) => number, total: number): StageSeconds {
+  const entries = stages.map(({ name }) => [name, of(name)]);
+  return { ...(Object.fromEntries(entries) as Record<Stage, number>), fold: 0, total };
 }
 
 /** The time of two jobs, one after the other. */
 export function addSeconds(one: StageSeconds, other: StageSeconds): StageSeconds {
-  return {
-    read: one.read + other.read,
-    learn: one.learn + other.learn,
-    cluster: one.cluster + other.cluster,
-    search: one.search + other.search,
-    fold: one.fold + other.fold,
-    compact: one.compact + other.compact,
-    paper: one.paper + other.paper,
-    total: one.total + other.total,
-  };
+  return stageSeconds((stage) => one[stage] + other[stage], one.total + other.total);
 }
