@@ -164,6 +164,53 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(readReport(path)).toMatchObject({ parts: 1, options: { split: [], merge: ['1,2'] } });
     }));
 
+  it('makes the edits of a file one after the other', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const [fold, path] = [join(folder, 'out.fold'), join(folder, 'report.json')];
+      const edits = join(folder, 'edits.json');
+      const list = [
+        { kind: 'split', part: 2, into: 2 },
+        { kind: 'name', part: 3, text: 'Crest' },
+        { kind: 'paper', options: { paper: 'A3', 'flap-side': 'both' } },
+        { kind: 'print', options: { style: 'pepakura' } },
+      ];
+      writeFileSync(edits, JSON.stringify(list));
+      const outputs = ['-o', fold, '-o', join(folder, 'out.svg'), '--report', path, '--quiet'];
+      const args = [model, '--parts', '2', '--compact', 'off', '--edits', edits, ...outputs];
+      expect(await foldwright(args)).toEqual({ status: 0, stdout: '', stderr: '' });
+      expect(readReport(path)).toMatchObject({ parts: 3, options: { edits } });
+      expect(checkFold(parseFold(readFileSync(fold, 'utf8')))).toEqual([]);
+      const svg = readFileSync(
+        join(
+          folder,
+          readdirSync(folder).find((name) => /svg$/.test(name))!,
+        ),
+      );
+      expect(svg.toString()).toMatch(/297mm[^]*Crest/);
+    }));
+
+  it.each([
+    ['[', "edits.json' is no JSON"],
+    ['{}', "edits.json': the edits are no list"],
+    ['[{"kind":"fold"}]', "edits.json': edit 1 has the kind 'fold', which is none of split, merge"],
+    ['[{"kind":"split","part":0,"into":2}]', "(split): 'part' is not a whole number from 1 on"],
+    ['[{"kind":"cut","edge":[1,2],"part":1}]', "(cut): there is no 'part'"],
+    [
+      '[{"kind":"name","part":1,"text":"A1"},{"kind":"cut","edge":[0,0]}]',
+      'edit 2: the model has no edge between corners 0 and 0',
+    ],
+    ['[{"kind":"paper","options":{"parts":3}}]', "option 'parts' cannot be changed here"],
+  ])('refuses the edits %s in one sentence', (content, sentence) =>
+    withModel(objText(cube), async (folder, model) => {
+      const edits = join(folder, 'edits.json');
+      writeFileSync(edits, content);
+      const { status, stderr } = await foldwright([model, '--edits', edits, '--quiet']);
+      expect(stderr).toContain(sentence);
+      expect(stderr.trim().split('\n')).toHaveLength(1);
+      expect(status).toBe(2);
+    }),
+  );
+
   it('says in one sentence which parts it cannot split', () =>
     withModel(objText(cube), async (folder, model) => {
       const args = [model, '--parts', '2', '--split', '3', '-o', join(folder, 'out.svg')];

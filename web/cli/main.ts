@@ -2,7 +2,6 @@ import { basename, resolve } from 'node:path';
 import { version } from '../../package.json';
 import { open } from '../api/node.js';
 import type { Session } from '../api/session.js';
-import type { WorkOptions } from '../api/work.js';
 import type { TimedResult } from '../core/client.js';
 import { JobError } from '../core/job-error.js';
 import { nodePool } from '../core/node-pool.js';
@@ -33,9 +32,9 @@ function checkOutputs({ model, outputs, report }: Commands): void {
 }
 
 /** Makes the edits that were asked for, in their order; refused ones end the program. */
-async function edit(session: Session, { edits }: Commands, work: WorkOptions): Promise<void> {
+async function edit(session: Session, { edits }: Commands): Promise<void> {
   for (const [index, step] of edits.entries()) {
-    const made = await session.apply(step, work);
+    const made = await session.apply(step);
     if (made.ok) continue;
     const place = edits.length > 1 ? `edit ${index + 1}: ` : '';
     throw usageError(`${place}${made.params.text}`);
@@ -64,7 +63,7 @@ async function runEngine(
   };
   try {
     await session.runWith(settings, { onEvent: edits.length === 0 ? hear : hearWork });
-    await edit(session, commands, { onEvent: hearWork });
+    await edit(session, commands);
     return { result: await session.result(), print: await session.print() };
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
