@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "pipeline/coarser_parts.h"
 #include "pipeline/learning.h"
 #include "pipeline/net_split.h"
 #include "pipeline/part_trees.h"
@@ -90,6 +91,7 @@ class SearchStage : public Stage {
     }
     if (!searches_.empty() || trees_->exchanging() || regroup(state, queue)) return;
     if (!trees_->begin_exchange(state, queue)) give_in_to_rest(state, queue, events);
+    if (searches_.empty() && waiting_.empty() && !trees_->exchanging()) finish(state, queue);
   }
 
   void end(JobState& state, Events& events) override {
@@ -108,6 +110,7 @@ class SearchStage : public Stage {
   void salvage(JobState& state) override {
     label_faces(state);
     trees_->collect(state);
+    coarser_.abandon(state);
     sort_nets(state);  // however the searches ended
   }
 
@@ -132,6 +135,16 @@ class SearchStage : public Stage {
   }
 
  private:
+  /// Every region has its net. Bodies whose parts came to many pieces are searched as a whole once.
+  void finish(JobState& state, TaskQueue& queue) {
+    if (coarser_.trying()) {
+      labels_changed_ |= coarser_.end(state);
+    } else if (!std::exchange(tried_coarser_, true) && !state.start) {
+      trees_->collect(state);
+      for (Region& whole : coarser_.begin(state)) start(state, queue, std::move(whole));
+    }
+  }
+
   /// Takes the nets of a part that an edit leaves as it is. Those that the edit itself made look
   /// for a motion first.
   void keep(JobState& state, TaskQueue& queue, Component& component, Events& events) {
@@ -381,6 +394,8 @@ class SearchStage : public Stage {
   }
 
   std::optional<PartTrees> trees_;
+  CoarserParts coarser_;
+  bool tried_coarser_ = false;
   SearchHistory history_;
   std::map<int, Search> searches_;   ///< by task
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split

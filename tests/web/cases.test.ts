@@ -14,6 +14,7 @@ interface CaseReport {
   sheets: number;
   size_mm: [number, number, number];
   flaps: { wanted: number; full: number; shrunk: number; missing: Record<string, number> };
+  notices: { code: string }[];
 }
 
 interface CaseRun {
@@ -154,6 +155,16 @@ describe.skipIf(sharedFolder() === null || !isBuilt)('a case that people reporte
     const { report } = await unfold('plate_keyhole.obj');
     const whole = await unfold('plate_keyhole.obj', '--parts', '1');
     expect(report.pieces.length).toBeLessThanOrEqual(whole.report.pieces.length);
+  });
+
+  it('plate_keyhole keeps its rims whole however many parts are asked for', async () => {
+    const whole = await unfold('plate_keyhole.obj', '--parts', '1');
+    for (const parts of ['2', '5']) {
+      const { report } = await unfold('plate_keyhole.obj', '--parts', parts);
+      expect(report.pieces.length).toBeLessThanOrEqual(whole.report.pieces.length);
+      expect(report.parts).toBe(report.pieces.length);
+      expect(report.notices.map(({ code }) => code)).toContain('parts-raised');
+    }
   });
 
   it('cube_with_fin says where the fin is glued', () =>
