@@ -37,7 +37,8 @@ add_library(test_helpers STATIC EXCLUDE_FROM_ALL ${helper_sources})
 target_include_directories(test_helpers PUBLIC "${PROJECT_SOURCE_DIR}/tests/cpp")
 target_link_libraries(test_helpers PUBLIC foldwright PRIVATE project_warnings)
 parse_once(test_helpers <Eigen/Core> <Eigen/Geometry>)
-target_compile_definitions(test_helpers PRIVATE FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}")
+target_compile_definitions(test_helpers PRIVATE
+  FOLDWRIGHT_SHARED="${FOLDWRIGHT_SHARED}" FOLDWRIGHT_TESTS="${PROJECT_SOURCE_DIR}/tests")
 
 add_executable(foldwright_tests ${test_sources})
 target_link_libraries(foldwright_tests PRIVATE test_helpers project_warnings ${gtest_libraries})

@@ -54,7 +54,9 @@ void read_vertex(OffNumbers& numbers, const OffLayout& layout, SoupBuilder& buil
 void read_face(OffNumbers& numbers, SoupBuilder& builder) {
   const int corners = numbers.integer();
   for (int i = 0; i < corners; ++i) builder.add_corner(numbers.integer());
-  numbers.skip(numbers.integer());  // the numbers of its colour
+  const int of_colour = numbers.integer();
+  if (of_colour > 0) builder.skip_colours();
+  numbers.skip(of_colour);
   builder.end_face(numbers.place());
 }
 
@@ -74,6 +76,7 @@ PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& l
     throw InputError("bad-header", "the counts must not be negative");
   }
   SoupBuilder builder(0);
+  skip_looks(layout, builder);
   for (int v = 0; v < vertices; ++v) {
     numbers.begin("vertex", v);
     read_vertex(numbers, layout, builder);

@@ -107,7 +107,9 @@ PlyHeader read_ply_header(TextScanner& scanner) {
       if (!has_format) fail(scanner, "the header ends without a 'format' line");
       scanner.next_line();
       return header;
-    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword == "comment") {
+      header.names_texture |= scanner.word_in_line() == "TextureFile";
+    } else if (!keyword.empty() && keyword != "obj_info") {
       fail(scanner, quoted(keyword) + " is not a header keyword");
     }
   }

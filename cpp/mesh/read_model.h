@@ -13,7 +13,8 @@ namespace foldwright {
 /// The contents tell the format; only where they show none, the ending of `file_name` does, in any
 /// case. An ending of another format is reported as the repair "other-format". Text may be UTF-8,
 /// UTF-16 or UTF-32 with or without a byte order mark, or have single bytes of any meaning in its
-/// names and comments. Nothing outside `bytes` is touched: materials and textures are ignored.
+/// names and comments. Nothing outside `bytes` is touched: of materials, colours and textures only
+/// that there are some is kept.
 /// \throw InputError for an unknown format, which is named if it is a common one, a damaged or
 /// truncated file, an index out of range or a
 ///        coordinate that is not finite; the sentence names the line or the element.

@@ -19,6 +19,12 @@ double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   return builder.text_coordinate(word, scanner.line());
 }
 
+/// Whether a corner has a place in a texture, as in "7/1" or "7/1/2".
+bool has_texture(std::string_view corner) {
+  const std::size_t slash = corner.find('/');
+  return slash != std::string_view::npos && slash + 1 < corner.size() && corner[slash + 1] != '/';
+}
+
 /// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; only the vertex counts.
 void add_corner(SoupBuilder& builder, std::string_view word, const Place& place) {
   const std::string_view vertex = word.substr(0, word.find('/'));
@@ -33,12 +39,25 @@ void add_corner(SoupBuilder& builder, std::string_view word, const Place& place)
   builder.add_corner(absolute);
 }
 
+void read_vertex(TextScanner& scanner, SoupBuilder& builder) {
+  const Place place = here(scanner);
+  const double x = coordinate(scanner, builder);
+  const double y = coordinate(scanner, builder);
+  const double z = coordinate(scanner, builder);
+  builder.add_vertex({x, y, z}, place);
+  // A single number more is a weight; three or four are a colour, as sculpting programs write it.
+  int more = 0;
+  while (!scanner.word_in_line().empty()) ++more;
+  if (more >= 3) builder.skip_colours();
+}
+
 void read_face(TextScanner& scanner, SoupBuilder& builder) {
   const Place place = here(scanner);
   int corners = 0;
   for (std::string_view word = scanner.word_in_line(); !word.empty();
        word = scanner.word_in_line()) {
     add_corner(builder, word, place);
+    if (has_texture(word)) builder.skip_textures();
     ++corners;
   }
   // A short face elsewhere is one bad face; at the very end, without a line break, it tells that
@@ -98,13 +117,11 @@ PolygonSoup read_obj(std::span<const std::byte> bytes) {
   do {
     const std::string_view keyword = scanner.word_in_line();
     if (keyword == "v") {
-      const Place place = here(scanner);
-      const double x = coordinate(scanner, builder);
-      const double y = coordinate(scanner, builder);
-      const double z = coordinate(scanner, builder);
-      builder.add_vertex({x, y, z}, place);
+      read_vertex(scanner, builder);
     } else if (keyword == "f" || keyword == "fo") {  // "fo": faces of old exporters
       read_face(scanner, builder);
+    } else if (keyword == "mtllib" || keyword == "usemtl") {
+      builder.skip_colours();
     } else {
       ignored.count(keyword);
     }

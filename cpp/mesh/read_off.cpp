@@ -51,12 +51,15 @@ struct Gaps {
   int after_face = 0;         // colour
 };
 
-void skip_gap(TextScanner& scanner, const Gaps& gaps, int numbers) {
+/// Whether there was anything to skip.
+bool skip_gap(TextScanner& scanner, const Gaps& gaps, int numbers) {
   if (gaps.end_with_line) {
+    const bool has_words = !scanner.word_in_line().empty();
     scanner.next_line();
-  } else {
-    for (; numbers > 0; --numbers) scanner.word();
+    return has_words;
   }
+  for (int i = 0; i < numbers; ++i) scanner.word();
+  return numbers > 0;
 }
 
 long long lines_with_words(TextScanner scanner) {
@@ -150,6 +153,7 @@ PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
   const Counts counts = read_counts(scanner, layout);
   const Gaps gaps = find_gaps(scanner, layout, counts);
   SoupBuilder builder(0);
+  skip_looks(layout, builder);
   skip_gap(scanner, gaps, gaps.after_counts);
   for (long long v = 0; v < counts.vertices; ++v) {
     if (!find_word(scanner)) fail_at_end(scanner, "vertices", v, counts.vertices);
@@ -159,7 +163,7 @@ PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
   for (long long f = 0; f < counts.faces; ++f) {
     if (!find_word(scanner)) fail_at_end(scanner, "faces", f, counts.faces);
     read_face(scanner, builder);
-    skip_gap(scanner, gaps, gaps.after_face);
+    if (skip_gap(scanner, gaps, gaps.after_face)) builder.skip_colours();
   }
   if (find_word(scanner)) {
     const int rest = static_cast<int>(1 + lines_with_words(scanner));

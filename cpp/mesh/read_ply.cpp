@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 
 #include "mesh/byte_reader.h"
 #include "mesh/formats.h"
@@ -180,6 +182,21 @@ class TriangleStrips {
   long long second_ = 0;
 };
 
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Tells of the colours and places in a texture that an element's properties hold, by the names
+/// that programs write.
+void skip_looks(const PlyElement& element, SoupBuilder& builder) {
+  for (const PlyProperty& property : element.properties) {
+    if (is_one_of(property.name, {"red", "r", "diffuse_red"})) builder.skip_colours();
+    if (is_one_of(property.name, {"s", "u", "texture_u", "texture_s", "texcoord"})) {
+      builder.skip_textures();
+    }
+  }
+}
+
 void read_list(PlyData& data, const PlyProperty& property, Role role, SoupBuilder& builder) {
   const long long count = data.integer(*property.count_type);
   TriangleStrips strips(builder, data.place());
@@ -195,6 +212,7 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
   const std::vector<Role> roles = roles_of(element);
   // Without properties an element has no bytes, and its count may be anything.
   if (element.properties.empty()) return;
+  if (is_one_of(element.name, {"vertex", "face", "tristrips"})) skip_looks(element, builder);
   for (long long index = 0; index < element.count; ++index) {
     data.begin(element, index);
     Vec3 position = Vec3::Zero();
@@ -224,6 +242,7 @@ PolygonSoup read_ply(std::span<const std::byte> bytes) {
   refuse_nul(is_ascii ? bytes : bytes.first(scanner.position()));
   PlyData data(scanner, bytes, header.encoding);
   SoupBuilder builder(0);
+  if (header.names_texture) builder.skip_textures();
   for (const PlyElement& element : header.elements) read_element(data, element, builder);
   return builder.finish();
 }

@@ -141,9 +141,8 @@ class FaceDropper {
   void drop(TriangleSoup& triangles) {
     drop_degenerate(triangles, tolerance_ * tolerance_);
     const int before = count_sources(triangles, source_count_, nullptr);
-    drop_duplicates(triangles);
-    const MergedSides merged = merge_sides(triangles, tolerance_);
-    const int two_sided = count_lost(triangles, source_count_, merged.two_sided);
+    const std::vector<int> other_sides = merge_sides(triangles, tolerance_);
+    const int two_sided = count_lost(triangles, source_count_, other_sides);
     two_sided_ += two_sided;
     duplicates_ += before - count_sources(triangles, source_count_, nullptr) - two_sided;
   }

@@ -38,6 +38,9 @@ class SoupBuilder {
   void add_corner(long long index) { corners_.push_back(index); }
   /// Ends the face being collected, with as many corners as were added.
   void end_face(const Place& place);
+  /// The file has colours or textures, which are not kept.
+  void skip_colours() { soup_.has_colours = true; }
+  void skip_textures() { soup_.has_textures = true; }
   void note(Repair repair) { soup_.repairs.push_back(std::move(repair)); }
 
   int vertex_count() const { return static_cast<int>(soup_.positions.size()); }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "mesh/byte_reader.h"
 #include "mesh/input_error.h"
@@ -18,6 +19,13 @@ ByteReader after_free_text(std::span<const std::byte> bytes) {
   return {bytes.subspan(kHeaderSize - 4), std::endian::little};
 }
 
+/// Whether the free text gives the whole model a colour, as one vendor's programs do; in their
+/// files the bit of a triangle means the opposite, but then all have colours anyway.
+bool names_colour(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), kHeaderSize - 4);
+  return text.find("COLOR=") != std::string_view::npos;
+}
+
 void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
   const Place place{"triangle", number};
   reader.skip(3 * sizeof(float));  // the normal: often zero or wrong, and never needed
@@ -28,7 +36,8 @@ void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
     builder.add_vertex({x, y, z}, place);
     builder.add_corner(builder.vertex_count() - 1);
   }
-  reader.skip(2);
+  // The highest bit says that the others are a colour. Without it they may be anything.
+  if ((reader.read<std::uint16_t>() & 0x8000u) != 0) builder.skip_colours();
   builder.end_face(place);
 }
 
@@ -62,6 +71,7 @@ PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
   const bool wrong_count = announced != present && (ends_whole || announced == 0);
   const long long count = wrong_count ? present : announced;
   SoupBuilder builder(0);
+  if (names_colour(bytes)) builder.skip_colours();
   for (long long t = 1; t <= count; ++t) add_triangle(reader, builder, t);
   if (wrong_count) {
     builder.note({"wrong-count", clamped(present),

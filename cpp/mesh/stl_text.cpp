@@ -129,6 +129,7 @@ class StlText {
         in_solid_ = keyword == Keyword::kSolid;
         return skip_name(scanner_);
       case Keyword::kColour:
+        builder_.skip_colours();
         scanner_.next_line();
         return;
       case Keyword::kNone:

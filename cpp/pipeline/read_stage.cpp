@@ -33,9 +33,20 @@ Axis up_of(const PolygonSoup& soup, Up asked) {
   return soup.usual_up;
 }
 
+/// Tells what of the file's looks is not printed.
+void tell_looks(const PolygonSoup& soup, JobState& state) {
+  if (!soup.has_colours && !soup.has_textures) return;
+  const std::string looks = !soup.has_textures  ? "colours"
+                            : !soup.has_colours ? "textures"
+                                                : "colours and textures";
+  state.notices.push_back(
+      {"materials-ignored", "the model's " + looks + " are not printed: its paper is white"});
+}
+
 /// The file's model with y up. A guess is told where the model was turned for it.
 PolygonSoup read_upright(JobState& state) {
   PolygonSoup soup = read_model(state.file, state.file_name);
+  tell_looks(soup, state);
   const Axis up = up_of(soup, state.options.up);
   turn_up(soup.positions, up);
   if (state.options.up == Up::kGuess && up != Axis::kY) {

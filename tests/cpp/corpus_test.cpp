@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "data_files.h"
 #include "folding.h"
+#include "job_runs.h"
 #include "mesh/input_error.h"
 #include "mesh_faults.h"
 #include "meshes.h"
@@ -81,6 +83,32 @@ TEST(Corpus, EveryPieceFoldsUp) {
     ++count;
   }
   if (count == 0) GTEST_SKIP() << kNoSharedModels;
+}
+
+TEST(Corpus, OwnModelsAreReadAndMended) {
+  for (const fs::path& path : corpus_files()) {
+    SCOPED_TRACE(path.filename().string());
+    const RepairedModel model = load(path);
+    EXPECT_EQ(fault_of(model.mesh), "");
+    EXPECT_EQ(bookkeeping_fault_of(model), "");
+  }
+}
+
+TEST(Corpus, OwnModelsBecomeNetsThatFold) {
+  for (const fs::path& path : corpus_files()) {
+    for (const int parts : {0, 3}) {
+      SCOPED_TRACE(path.filename().string() + " in " + std::to_string(parts) + " parts");
+      const Outcome outcome =
+          run_file(bytes_of(path), path.filename().string(), {.parts = parts, .runs = 100});
+      expect_sound(outcome);
+      ASSERT_TRUE(outcome.result);
+      const DualGraph graph = build_dual_graph(outcome.result->mesh);
+      for (const Piece& piece : outcome.result->pieces) {
+        EXPECT_EQ(fault_of_motion(piece.motion, piece.net), "");
+        EXPECT_TRUE(colliding_times(*outcome.result, graph, piece, 20).empty());
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "heuristic_table.h"
 #include "meshes.h"
@@ -153,7 +152,24 @@ TEST(SteepestEdge, MakesANetOfEveryConvexHull) {
   }
 }
 
-TEST(Heuristics, SucceedThisOften) { std::puts(heuristic_table(kHulls, 5).c_str()); }
+TEST(Heuristics, SucceedOnConvexHullsInTheOrderThatThePaperFinds) {
+  constexpr int kDirections = 5;
+  const std::vector<Unfoldable> hulls = convex_hulls(kHulls);
+  const auto share = [&](Heuristic heuristic) {
+    int nets = 0;
+    for (int i = 0; i < kHulls; ++i) nets += count_nets(hulls[i], heuristic, kDirections, i);
+    return nets / static_cast<double>(kHulls * kDirections);
+  };
+  const double steepest = share(Heuristic::kSteepestEdge);
+  const double flat = share(Heuristic::kFlatTree);
+  const double hybrid = share(Heuristic::kHybrid);
+  const double random = share(Heuristic::kRandom);
+  EXPECT_GT(steepest, 0.98);
+  EXPECT_GT(flat, 2 * random);
+  EXPECT_LT(random, 0.1);
+  // Three of five of its runs are steepest edges, the others flat trees.
+  EXPECT_NEAR(hybrid, 0.6 * steepest + 0.4 * flat, 0.03);
+}
 
 }  // namespace
 }  // namespace foldwright::testing

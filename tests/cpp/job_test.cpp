@@ -326,5 +326,24 @@ TEST(Job, SaysBeforeTheSearchWhatALargeModelCosts) {
   EXPECT_FALSE(tells({.faces = 1000})) << "whoever asks for fewer knows";
 }
 
+TEST(Job, SaysThatColoursAndTexturesAreNotPrinted) {
+  const std::string model = obj_of(tetrahedron());
+  const std::pair<std::string, std::multiset<std::string>> cases[] = {
+      {"", {}},
+      {"usemtl red\n", {"the model's colours are not printed: its paper is white"}},
+      {"vt 0 0\nf 1/1 2/1 3/1\n", {"the model's textures are not printed: its paper is white"}},
+      {"vt 0 0\nusemtl red\nf 1/1 2/1 3/1\n",
+       {"the model's colours and textures are not printed: its paper is white"}}};
+  for (const auto& [more, sentences] : cases) {
+    const Outcome outcome = run_file(model + more, "model.obj", {.parts = 1, .runs = 10});
+    expect_sound(outcome);
+    std::multiset<std::string> told;
+    for (const Notice& notice : outcome.result->notices) {
+      if (notice.code == "materials-ignored") told.insert(notice.text);
+    }
+    EXPECT_EQ(told, sentences);
+  }
+}
+
 }  // namespace
 }  // namespace foldwright::testing

@@ -32,6 +32,13 @@ inline std::vector<int> corners_of(const PolygonSoup& soup, int face) {
           soup.corners.begin() + soup.first_corner[face + 1]};
 }
 
+/// What a soup says of its file's looks: "colours", "textures", both or neither.
+inline std::string looks_of(const PolygonSoup& soup) {
+  const char* both = soup.has_colours && soup.has_textures ? " " : "";
+  return (soup.has_colours ? "colours" : "") + std::string(both) +
+         (soup.has_textures ? "textures" : "");
+}
+
 /// The repair with the given code; a count of 0 when there is none.
 inline Repair repair_named(const std::vector<Repair>& repairs, std::string_view code) {
   for (const Repair& repair : repairs) {

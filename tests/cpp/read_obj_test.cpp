@@ -112,5 +112,22 @@ TEST(ReadObj, TakesNumbersInEverySpelling) {
   EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2}));
 }
 
+TEST(ReadObj, TellsOfMaterialsColoursAndTextures) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string places = "vt 0 0\nvt 1 0\nvt 0 1\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {corners + "f 1 2 3\n", ""},
+      {corners + places + "vn 0 0 1\nf 1//1 2//1 3//1\n", ""},
+      {"v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n", ""},
+      {"mtllib a.mtl\n" + corners + "f 1 2 3\n", "colours"},
+      {corners + "usemtl red\nf 1 2 3\n", "colours"},
+      {"v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n", "colours"},
+      {corners + places + "f 1/1 2/2 3/3\n", "textures"},
+      {corners + places + "usemtl a\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n", "colours textures"}};
+  for (const auto& [text, looks] : cases) {
+    EXPECT_EQ(looks_of(read_text(text, "a.obj")), looks) << text;
+  }
+}
+
 }  // namespace
 }  // namespace foldwright::testing

@@ -149,5 +149,21 @@ TEST(ReadOff, TakesBinaryFiles) {
   EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "the file ends after its header");
 }
 
+TEST(ReadOff, TellsOfColoursAndTextures) {
+  const std::string coloured_face = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n";
+  const std::pair<std::string, const char*> cases[] = {
+      {"OFF\n5 2 0\n" + kBody, ""},
+      {"NOFF\n5 2 0\n" + kBody, ""},
+      {"COFF\n5 2 0\n" + kBody, "colours"},
+      {"STCOFF\n5 2 0\n" + kBody, "colours textures"},
+      {"OFF\n3 1 0\n" + coloured_face, "colours"},
+      {"OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2 255 0 0", "colours"},
+      {binary_off("OFF BINARY\n", 0), "colours"},
+      {binary_off("STOFF BINARY\n", 2), "colours textures"}};
+  for (const auto& [text, looks] : cases) {
+    EXPECT_EQ(looks_of(read_text(text, "a.off")), looks) << text;
+  }
+}
+
 }  // namespace
 }  // namespace foldwright::testing

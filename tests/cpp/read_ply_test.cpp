@@ -154,5 +154,28 @@ TEST(ReadPly, TakesTriangleStrips) {
             "line 13: face refers to vertex 9, but the file has 4 vertices, counted from 0");
 }
 
+TEST(ReadPly, TellsOfColoursAndTextures) {
+  const auto looks = [](const std::string& comment, const std::string& vertex_property,
+                        const std::string& face_property, const std::string& face_values) {
+    const std::string value = vertex_property.empty() ? "\n" : " 7\n";
+    return looks_of(
+        read_text("ply\nformat ascii 1.0\n" + comment +
+                      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+                      vertex_property + "element face 1\nproperty list uchar int vertex_indices\n" +
+                      face_property + "end_header\n0 0 0" + value + "1 0 0" + value + "0 1 0" +
+                      value + "3 0 1 2" + face_values + "\n",
+                  "a.ply"));
+  };
+  EXPECT_EQ(looks("comment made by hand\n", "property float nx\n", "property uchar flags\n", " 1"),
+            "");
+  EXPECT_EQ(looks("", "property uchar red\n", "", ""), "colours");
+  EXPECT_EQ(looks("", "", "property uchar red\n", " 255"), "colours");
+  EXPECT_EQ(looks("", "property float s\n", "", ""), "textures");
+  EXPECT_EQ(looks("", "", "property list uchar float texcoord\n", " 2 0 1"), "textures");
+  EXPECT_EQ(looks("comment TextureFile skin.png\n", "", "", ""), "textures");
+  EXPECT_EQ(looks("comment TextureFile skin.png\n", "property uchar red\n", "", ""),
+            "colours textures");
+}
+
 }  // namespace
 }  // namespace foldwright::testing

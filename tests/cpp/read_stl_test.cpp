@@ -152,5 +152,20 @@ TEST(ReadStl, TakesAFileInOneLine) {
   EXPECT_EQ(read_text(text, "a.stl").face_count(), 2);
 }
 
+TEST(ReadStl, TellsOfColours) {
+  EXPECT_EQ(looks_of(read_text(binary_stl(2, 2), "a.stl")), "");
+  std::string marked = binary_stl(2, 2);
+  marked[84 + 2 * 50 - 1] = '\x80';  // of the second triangle
+  EXPECT_EQ(looks_of(read_text(marked, "a.stl")), "colours");
+  std::string odd = binary_stl(2, 2);
+  odd[84 + 50 - 2] = 'x';  // no colour, whatever it is
+  EXPECT_EQ(looks_of(read_text(odd, "a.stl")), "");
+  EXPECT_EQ(looks_of(read_text(binary_stl(2, 2).replace(20, 10, "COLOR=\1\2\3\4"), "a.stl")),
+            "colours");
+  EXPECT_EQ(looks_of(read_text("solid\n" + kFacet + "endsolid\n", "a.stl")), "");
+  EXPECT_EQ(looks_of(read_text("solid\ncolor 1 0 0\n" + kFacet + "endsolid\n", "a.stl")),
+            "colours");
+}
+
 }  // namespace
 }  // namespace foldwright::testing

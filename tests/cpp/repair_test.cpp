@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "geometry/random.h"
 #include "mesh/dual_graph.h"
@@ -140,6 +144,85 @@ TEST(Repair, MakesOneSkinOfPolygonsGivenFromBothSides) {
   EXPECT_EQ(count_of(model, "split-nonmanifold-edges"), 0);
   EXPECT_EQ(model.mesh.face_count(), 4);
   EXPECT_EQ(border_edge_count(model.mesh), 6);
+}
+
+/// A polygon as a fan of triangles from one of its corners, with either side up.
+void add_fan(std::vector<std::vector<int>>& faces, const std::vector<int>& polygon, int from,
+             bool is_turned) {
+  const int n = static_cast<int>(polygon.size());
+  for (int i = 1; i + 1 < n; ++i) {
+    std::vector<int> face = {polygon[from], polygon[(from + i) % n], polygon[(from + i + 1) % n]};
+    if (is_turned) std::swap(face[1], face[2]);
+    faces.push_back(face);
+  }
+}
+
+/// Corners of regular polygons, one above the other.
+std::vector<Vec3> prism_corners(int n, int floors) {
+  std::vector<Vec3> corners;
+  for (int floor = 0; floor < floors; ++floor) {
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * i / n;
+      corners.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), 2 * floor);
+    }
+  }
+  return corners;
+}
+
+/// The corners of one floor, counter-clockwise from above.
+std::vector<int> floor_of_prism(int n, int floor) {
+  std::vector<int> polygon(n);
+  std::iota(polygon.begin(), polygon.end(), floor * n);
+  return polygon;
+}
+
+void add_sides(std::vector<std::vector<int>>& faces, int n, int floor) {
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    faces.push_back({floor * n + i, floor * n + j, (floor + 1) * n + j, (floor + 1) * n + i});
+  }
+}
+
+TEST(Repair, TakesAPolygonGivenSeveralTimesAsOneHoweverItIsCutIntoTriangles) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const int n = std::array{5, 6, 8}[seed % 3];
+    const int copies = 2 + static_cast<int>(seed % 2);
+    std::vector<std::vector<int>> faces;
+    add_fan(faces, floor_of_prism(n, 0), 0, true);
+    for (int copy = 0; copy < copies; ++copy) {
+      add_fan(faces, floor_of_prism(n, 1), random.below(n), random.below(2) == 1);
+    }
+    add_sides(faces, n, 0);
+    if (seed % 4 >= 2) {  // in no order at all
+      for (int i = static_cast<int>(faces.size()) - 1; i > 0; --i) {
+        std::swap(faces[i], faces[random.below(i + 1)]);
+      }
+    }
+    const RepairedModel model = sound_repair(soup(prism_corners(n, 2), faces));
+    EXPECT_EQ(model.mesh.component_count, 1);
+    EXPECT_EQ(model.mesh.face_count(), 2 * (n - 2) + 2 * n);
+    EXPECT_EQ(border_edge_count(model.mesh), 0);
+    EXPECT_NEAR(signed_volume(model.mesh), 9 * n * std::sin(2 * std::numbers::pi / n), 1e-9);
+    EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), n + 2);
+    EXPECT_EQ(count_of(model, "dropped-duplicate-faces") + count_of(model, "merged-two-sided"),
+              (copies - 1) * (n - 2));
+  }
+}
+
+TEST(Repair, KeepsAWallBetweenRoomsThatIsCutIntoTrianglesTwoWays) {
+  for (const int n : {4, 5, 8}) {
+    std::vector<std::vector<int>> faces = {floor_of_prism(n, 2)};
+    add_fan(faces, floor_of_prism(n, 0), 0, true);
+    add_fan(faces, floor_of_prism(n, 1), 0, false);
+    add_fan(faces, floor_of_prism(n, 1), 1, true);
+    for (const int floor : {0, 1}) add_sides(faces, n, floor);
+    const RepairedModel model = sound_repair(soup(prism_corners(n, 3), faces));
+    EXPECT_EQ(model.mesh.component_count, 2);
+    EXPECT_EQ(border_edge_count(model.mesh), 0);
+    EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), 2 * (n + 2));
+  }
 }
 
 TEST(Repair, KeepsCrossingSheetsFlat) {
