@@ -36,16 +36,13 @@ export function renamed(names: readonly PartName[], part: number, name: string):
   return name === '' ? others : [...others, { part, name }].sort((a, b) => a.part - b.part);
 }
 
-/** The parts whose names differ, ascending. */
-export function differentlyNamed(
-  before: readonly PartName[],
-  after: readonly PartName[],
-): number[] {
-  const isIn = (names: readonly PartName[], { part, name }: PartName): boolean =>
-    names.some((other) => other.part === part && other.name === name);
-  const changed = [
-    ...before.filter((chosen) => !isIn(after, chosen)),
-    ...after.filter((chosen) => !isIn(before, chosen)),
-  ];
-  return [...new Set(changed.map(({ part }) => part))].sort((a, b) => a - b);
+/** Whether a later result has all pieces of an earlier one where they were, so that only names may differ. */
+export function isRenaming(before: JobResult, after: JobResult): boolean {
+  const keys = ({ pieces, scale }: JobResult): string =>
+    pieces
+      .map(({ part, sources, sheet, x, y, angle }) =>
+        [scale, part, sheet, x, y, angle, ...sources].join(),
+      )
+      .join('|');
+  return keys(before) === keys(after);
 }
