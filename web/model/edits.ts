@@ -1,4 +1,4 @@
-import type { JobResult, JobStart, NetEdit, PartEdit, PartName } from './job.js';
+import type { JobResult, JobStart, NetEdit, PartEdit, PartName, Piece } from './job.js';
 
 /** Splits a part in so many. */
 export function splitting(part: number, into = 2): PartEdit {
@@ -36,13 +36,25 @@ export function renamed(names: readonly PartName[], part: number, name: string):
   return name === '' ? others : [...others, { part, name }].sort((a, b) => a.part - b.part);
 }
 
+/** What rounding makes of a place that is kept, in mm and degrees, at most. */
+const samePlace = 1e-6;
+
+function isSamePiece(before: Piece, after: Piece): boolean {
+  const places = ({ sheet, x, y, angle }: Piece): number[] => [sheet, x, y, angle];
+  const others = places(after);
+  return (
+    before.part === after.part &&
+    before.sources.join() === after.sources.join() &&
+    places(before).every((value, i) => Math.abs(value - others[i]!) < samePlace)
+  );
+}
+
 /** Whether a later result has all pieces of an earlier one where they were, so that only names may differ. */
 export function isRenaming(before: JobResult, after: JobResult): boolean {
-  const keys = ({ pieces, scale }: JobResult): string =>
-    pieces
-      .map(({ part, sources, sheet, x, y, angle }) =>
-        [scale, part, sheet, x, y, angle, ...sources].join(),
-      )
-      .join('|');
-  return keys(before) === keys(after);
+  const { pieces } = before;
+  return (
+    before.scale === after.scale &&
+    pieces.length === after.pieces.length &&
+    pieces.every((piece, i) => isSamePiece(piece, after.pieces[i]!))
+  );
 }
