@@ -125,7 +125,7 @@ export class PartsPanel extends Panel {
       button.textContent = edits ? `${verb}: ${editWords(edits)}` : verb;
       const hadFocus = button.matches(':focus');
       button.hidden = edits === null;
-      if (button.hidden && hadFocus) this.focus();
+      if (edits === null && hadFocus) this.focus();
       disable(button, !canMove);
     };
     offer(this.undoButton, 'Undo', undoable);
