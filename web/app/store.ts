@@ -58,7 +58,7 @@ export interface StoreNeeds {
  */
 type Pace = 'name' | 'move' | 'change';
 
-const follows: Readonly<Record<Pace, readonly Pace[]>> = {
+const mayFollow: Readonly<Record<Pace, readonly Pace[]>> = {
   name: ['name'],
   move: ['name', 'move'],
   change: ['name'],
@@ -252,7 +252,7 @@ export class Store {
   }
 
   private accepts(pace: Pace): boolean {
-    return !this.isRunning && this.steps.every((step) => follows[pace].includes(step.pace));
+    return !this.isRunning && this.steps.every((step) => mayFollow[pace].includes(step.pace));
   }
 
   /** Each run has a session of its own: that of the page stays until there is another run to show. */
