@@ -78,6 +78,44 @@ test('a part is split, two are merged, and both are taken back', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('what was taken back is made again, by button and by keys', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio, 4);
+    const first = (await page.locator('#result').getAttribute('data-hash')) ?? '';
+    const redo = page.locator('#redo');
+    expect(await redo.isHidden()).toBe(true);
+    await part(page, 2).click();
+    await press(page, 'Split this part');
+    const split = await changed(studio, first);
+
+    await press(page, 'Undo: split of part 2');
+    expect(await changed(studio, split)).toBe(first);
+    await studio.picture('edits-redo');
+    await press(page, 'Redo: split of part 2');
+    expect(await changed(studio, first)).toBe(split);
+    expect(await redo.isHidden()).toBe(true);
+
+    await page.keyboard.press('Control+z');
+    expect(await changed(studio, split)).toBe(first);
+    // In a field the keys are the field's own.
+    await page.locator('#parts').press('Control+Shift+Z');
+    await page.waitForTimeout(500);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(first);
+    await page.locator('#split').press('Control+Shift+Z');
+    expect(await changed(studio, first)).toBe(split);
+    await page.keyboard.press('Control+z');
+    expect(await changed(studio, split)).toBe(first);
+
+    // Another change takes the place of what was taken back.
+    await part(page, 1).click();
+    await press(page, 'Split this part');
+    await changed(studio, first);
+    expect(await redo.isHidden()).toBe(true);
+    expect(await page.locator('#undo').innerText()).toBe('Undo: split of part 1');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('a click on the model or on a sheet chooses a part', () =>
   withStudio(async (studio) => {
     const { page } = studio;

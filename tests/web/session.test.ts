@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { makeDoor } from '../../web/api/door.js';
 import type { Applied, Session } from '../../web/api/session.js';
 import type { Pool } from '../../web/core/pool.js';
+import type { TimedEvent } from '../../web/core/protocol.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
@@ -189,6 +190,51 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       expect(session.edits).toEqual([]);
       await made(session, edit);
     }));
+
+  it('keeps the nets of a run that is ended, if asked to, and goes on from them', () =>
+    withThreads(1, async (pool) => {
+      const session = await door(pool).open(files, { pool: () => pool });
+      const abort = new AbortController();
+      const onEvent = ({ type }: TimedEvent): void => {
+        if (type === 'net') abort.abort();
+      };
+      const { signal } = abort;
+      const ended = session.run(options, { signal, onEvent });
+      await expect(ended).rejects.toThrow();
+      expect(() => session.report).toThrow('Nothing was unfolded');
+
+      const second = new AbortController();
+      const end = ({ type }: TimedEvent): void => {
+        if (type === 'net') second.abort();
+      };
+      await session.run(options, { signal: second.signal, onEvent: end, keepBest: true });
+      const found = await session.result();
+      expect(found.parts).toBe(4);
+      expect(found.pieces.length).toBeGreaterThan(0);
+      const some = found.pieces[0]!.part + 1;
+      await made(session, { kind: 'split', part: some, into: 2 });
+      expect((await session.result()).parts).toBe(5);
+      expect(session.lastStep).toEqual([{ kind: 'split', part: some, into: 2 }]);
+      session.undo();
+      expect([session.position, session.lastStep]).toEqual([0, null]);
+      expect(session.nextStep).toHaveLength(1);
+      expect((await session.state()).result).toBe(found);
+    }));
+
+  it('asks for workers only when there is work for them', async () => {
+    const { open } = makeDoor({ startPool: () => null as never, loadFont: readFont });
+    let asked = 0;
+    const session = await open(files, {
+      pool: () => {
+        ++asked;
+        throw new Error('no workers');
+      },
+    });
+    expect(asked).toBe(0);
+    await expect(session.run(options)).rejects.toThrow('no workers');
+    expect(asked).toBe(1);
+    session.close();
+  });
 
   it('asks for one model', async () => {
     const none = makeDoor({ startPool: () => null as never, loadFont: () => null as never });

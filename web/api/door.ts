@@ -6,15 +6,16 @@ import type { FontLoader } from '../export/font-loader.js';
 import type { Report } from '../export/report.js';
 import type { Options } from '../model/written-options.js';
 import { chooseModel } from './model-files.js';
-import { Session } from './session.js';
-import type { ModelFile, WorkOptions } from './work.js';
+import { Session, type Surroundings } from './session.js';
+import type { ModelFile, RunWork } from './work.js';
 
 export interface OpenOptions {
   /**
    * Workers to share with others, from `startPool`, which also takes the addresses of worker and WASM
-   * where a host keeps them elsewhere; without it the session starts its own and ends them.
+   * where a host keeps them elsewhere, or what gives them when they are first needed; without it the
+   * session starts its own and ends them.
    */
-  pool?: Pool;
+  pool?: Pool | (() => Pool);
   /** Gets fonts by the names of their files, where they are not beside the package's own. */
   loadFont?: FontLoader;
 }
@@ -35,7 +36,7 @@ export interface Door {
   unfold: (
     files: readonly ModelFile[],
     options?: Options,
-    work?: WorkOptions & OpenOptions,
+    work?: RunWork & OpenOptions,
   ) => Promise<Unfolded>;
 }
 
@@ -45,14 +46,27 @@ export interface DoorOptions {
   loadFont: FontLoader;
 }
 
+type Workers = Pick<Surroundings, 'pool' | 'close'>;
+
+function lent(pool: Pool | (() => Pool)): Workers {
+  return { pool: typeof pool === 'function' ? pool : () => pool };
+}
+
+/** Started when they are needed first. */
+function owned(start: () => Pool): Workers {
+  let pool: Pool | null = null;
+  return { pool: () => (pool ??= start()), close: () => pool?.close() };
+}
+
 export function makeDoor({ startPool, loadFont }: DoorOptions): Door {
   // Asynchronous, so that reading files of several kinds can become work.
   const open = async (
     files: readonly ModelFile[],
     { pool, loadFont: load = loadFont }: OpenOptions = {},
   ): Promise<Session> => {
-    const surroundings = { pool: pool ?? startPool(), loadFont: load, ownsPool: !pool };
-    return Promise.resolve(new Session(chooseModel(files), surroundings));
+    const model = chooseModel(files);
+    const workers = pool ? lent(pool) : owned(startPool);
+    return Promise.resolve(new Session(model, { ...workers, loadFont: load }));
   };
   const unfold: Door['unfold'] = async (files, options = {}, work = {}) => {
     const session = await open(files, work);

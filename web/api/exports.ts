@@ -12,4 +12,4 @@ export type { Door, OpenOptions, Unfolded } from './door.js';
 export type { Refusal } from './edit-plan.js';
 export { BadFiles } from './model-files.js';
 export { Session, type Applied } from './session.js';
-export type { ModelFile, WorkOptions } from './work.js';
+export type { ModelFile, RunWork, WorkOptions } from './work.js';

@@ -45,6 +45,11 @@ export class History {
     return this.steps.slice(1, this.cursor + 1).map(({ edits }) => edits);
   }
 
+  /** What redo would make again; null if there is nothing. */
+  get next(): readonly DocumentEdit[] | null {
+    return this.steps[this.cursor + 1]?.edits ?? null;
+  }
+
   get canUndo(): boolean {
     return this.cursor > 0;
   }

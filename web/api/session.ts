@@ -2,10 +2,11 @@ import { version } from '../../package.json';
 import { runJob, type TimedResult } from '../core/client.js';
 import { JobError, engineDied } from '../core/job-error.js';
 import type { Pool } from '../core/pool.js';
+import type { TimedEvent } from '../core/protocol.js';
 import { writeFiles } from '../export/files.js';
 import type { FontLoader } from '../export/font-loader.js';
 import type { ExportFormat, WrittenFile } from '../export/formats.js';
-import { preparePrint, type Print } from '../export/print.js';
+import type { Print } from '../export/print.js';
 import { makeReport, type Report } from '../export/report.js';
 import { echo, type Settings } from '../model/options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
@@ -16,7 +17,7 @@ import { changedSettings, defaultSettings, type Options } from '../model/written
 import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
 import { planEdits, refusal, settledWishes, type EditPlan, type Refusal } from './edit-plan.js';
 import { History } from './history.js';
-import type { ModelFile, WorkOptions } from './work.js';
+import type { ModelFile, RunWork, WorkOptions } from './work.js';
 
 /** An edit that was made. */
 export interface Applied {
@@ -27,10 +28,11 @@ export interface Applied {
 
 /** What a session needs of where it runs. */
 export interface Surroundings {
-  pool: Pool;
+  /** Gives the workers; is not asked before there is work for them. */
+  pool: () => Pool;
   loadFont: FontLoader;
-  /** Whether the pool is closed with the session. */
-  ownsPool: boolean;
+  /** Ends what was started for the session alone. */
+  close?: () => void;
 }
 
 /** Codes with which the engine says that the fault is its own. */
@@ -73,6 +75,21 @@ export class Session {
     return this.history?.canRedo ?? false;
   }
 
+  /** Steps that were made and not undone; a step is what one call of `apply` has made. */
+  get position(): number {
+    return this.history?.position ?? 0;
+  }
+
+  /** The edits that undo would take back; null if there are none. */
+  get lastStep(): readonly DocumentEdit[] | null {
+    return this.history?.edits.at(-1) ?? null;
+  }
+
+  /** The edits that redo would make again; null if there are none. */
+  get nextStep(): readonly DocumentEdit[] | null {
+    return this.history?.next ?? null;
+  }
+
   /** What came out, as the command line reports it. @throws Error before the first run */
   get report(): Report {
     if (!this.history) throw new Error(nothing);
@@ -85,12 +102,12 @@ export class Session {
    * Rejects with a `BadOption` for an option that there is not or a value out of its range, and with a
    * `JobError` for a model that cannot be read or used; the state before stays then.
    */
-  run(options: Options = {}, work: WorkOptions = {}): Promise<Report> {
+  run(options: Options = {}, work: RunWork = {}): Promise<Report> {
     return this.inTurn(() => this.begin(changedSettings(defaultSettings(), options), work));
   }
 
-  /** The same with all options, as the command line has parsed them. @internal */
-  runWith(settings: Settings, work: WorkOptions = {}): Promise<Report> {
+  /** The same with all options, which the engine checks. @internal */
+  runWith(settings: Settings, work: RunWork = {}): Promise<Report> {
     return this.inTurn(() => this.begin(settings, work));
   }
 
@@ -136,6 +153,11 @@ export class Session {
     return this.inTurn(async () => (await this.current(work)).result);
   }
 
+  /** What was asked for and what came of it. Cost as `result`. @internal */
+  state(work: WorkOptions = {}): Promise<DocumentState> {
+    return this.inTurn(() => this.current(work));
+  }
+
   /** Draws all sheets, ready to be written in any format. @internal */
   print(options: Options = {}, work: WorkOptions = {}): Promise<Print> {
     return this.inTurn(async () => (await this.printed(options, work)).print);
@@ -158,7 +180,7 @@ export class Session {
 
   /** Ends the session and the workers that were started for it. */
   close(): void {
-    if (this.surroundings.ownsPool) this.surroundings.pool.close();
+    this.surroundings.close?.();
   }
 
   /** Name of the file without its ending. */
@@ -166,14 +188,15 @@ export class Session {
     return this.file.name.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
   }
 
-  private async begin(settings: Settings, work: WorkOptions): Promise<Report> {
+  private async begin(settings: Settings, work: RunWork): Promise<Report> {
     const wishes: Wishes = { settings, flapEdges: [], names: [], pins: [] };
-    const compute = async (_: unknown, more: WorkOptions): Promise<DocumentState> => ({
-      wishes,
-      result: await this.job(jobOf(wishes), null, more),
-    });
-    const first = await compute(null, work);
-    this.history = new History(first, compute, (state) => this.reportOf(state));
+    const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
+    const { result, isWhole } = await outcome(run, work);
+    const first: DocumentState = { wishes, result };
+    // What an ended run has found depends on when it was ended: it cannot be computed again.
+    const remake = async (_: unknown, more: WorkOptions): Promise<DocumentState> =>
+      isWhole ? { wishes, result: await run(more) } : first;
+    this.history = new History(first, remake, (state) => this.reportOf(state));
     return this.history.report;
   }
 
@@ -207,6 +230,8 @@ export class Session {
       : await this.job(jobOf(wishes), startFrom(before.result, []), work);
     const { margin } = settings;
     const { loadFont } = this.surroundings;
+    // Loaded when it is first asked for: who only edits does not draw.
+    const { preparePrint } = await import('../export/print.js');
     const look = { title: this.title, margin, options: printOf(wishes), loadFont };
     return { state: { wishes, result }, print: await preparePrint({ result, ...look }) };
   }
@@ -231,14 +256,11 @@ export class Session {
   private job(
     options: JobOptions,
     start: JobStart | null,
-    { signal, onEvent }: WorkOptions,
+    work: WorkOptions,
   ): Promise<TimedResult> {
     const { name, bytes } = this.file;
-    return runJob(this.surroundings.pool, bytes, name, options, {
-      ...(signal && { signal }),
-      ...(onEvent && { onEvent }),
-      ...(start && { start }),
-    });
+    const runOptions = { ...work, ...(start && { start }) };
+    return runJob(this.surroundings.pool(), bytes, name, options, runOptions);
   }
 
   private reportOf({ wishes, result }: DocumentState): Report {
@@ -261,6 +283,24 @@ export class Session {
     const turn = this.lastWork.then(work);
     this.lastWork = turn.catch(() => undefined);
     return turn;
+  }
+}
+
+/** What a run comes to; the nets so far of one that was ended, if they shall be kept. */
+async function outcome(
+  run: (work: WorkOptions) => Promise<TimedResult>,
+  { keepBest = false, ...work }: RunWork,
+): Promise<{ result: TimedResult; isWhole: boolean }> {
+  let best: TimedResult | null = null;
+  const onEvent = (event: TimedEvent): void => {
+    if (event.type === 'cancelled' && event.best) best = { ...event.best, seconds: event.seconds };
+    work.onEvent?.(event);
+  };
+  try {
+    return { result: await run({ ...work, onEvent }), isWhole: true };
+  } catch (error) {
+    if (!keepBest || !best || !work.signal?.aborted) throw error;
+    return { result: best, isWhole: false };
   }
 }
 

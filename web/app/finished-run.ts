@@ -1,7 +1,7 @@
 import type { TimedResult } from '../core/client.js';
+import type { Settings } from '../model/options.js';
 import type { ModelFile } from './model-file.js';
-import type { Wishes } from './options-form.js';
-import type { Settings } from './pending-settings.js';
+import type { FieldValues } from './pending-settings.js';
 import type { RunPictures } from './run-pictures.js';
 
 /**
@@ -10,9 +10,9 @@ import type { RunPictures } from './run-pictures.js';
  */
 export interface FinishedRun {
   model: ModelFile;
-  wishes: Wishes;
-  /** The form as it was then. */
   settings: Settings;
+  /** The form as it was then. */
+  fields: FieldValues;
   pictures: RunPictures;
   result: TimedResult;
 }

@@ -1,10 +1,11 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { FlapSide, IdPlace, JobOptions } from '../model/job.js';
+import type { FlapSide, IdPlace } from '../model/job.js';
+import type { Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 const idPlaces: readonly IdPlace[] = ['both', 'inside', 'flap', 'none'];
-const sides: readonly FlapSide[] = ['one', 'alternate', 'both', 'none'];
+const sides = ['one', 'alternate', 'both'] as const satisfies readonly FlapSide[];
 
 /** The fields for flaps and edge ids; a height is asked for only where there are flaps. */
 export class FlapFields extends Panel {
@@ -22,12 +23,16 @@ export class FlapFields extends Panel {
   }
 
   /** What the fields say now; they must be valid. */
-  read(): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'ids'> {
-    const { value, valueAsNumber } = this.height;
+  read(): Pick<Settings, 'flap-side' | 'flaps' | 'ids'> {
     return {
-      flapSide: sides.find((side) => side === this.side.value) ?? defaultOptions.flapSide,
+      'flap-side': sides.find((side) => side === this.side.value) ?? 'one',
+      flaps: this.side.value === 'none' ? 'none' : this.flapHeight(),
       ids: idPlaces.find((place) => place === this.ids.value) ?? defaultOptions.ids,
-      flapHeight: value === '' ? defaultOptions.flapHeight : valueAsNumber,
     };
+  }
+
+  private flapHeight(): number {
+    const { value, valueAsNumber } = this.height;
+    return value === '' ? defaultOptions.flapHeight : valueAsNumber;
   }
 }

@@ -75,7 +75,7 @@ export class ModelPanel extends Panel {
   }
 
   /** Lets parts stand out from all others, unless there are none. */
-  select(parts: number[]): void {
+  select(parts: readonly number[]): void {
     this.view.tell({ type: 'selected', parts });
   }
 

@@ -1,11 +1,12 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { FoldingMode, Heuristic, JobOptions, Segmenter, Solver } from '../model/job.js';
+import type { FoldingMode, Heuristic, Segmenter, Solver } from '../model/job.js';
+import type { Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 /** What this part of the form decides. */
 export type Method = Pick<
-  JobOptions,
+  Settings,
   'solver' | 'seed' | 'segment' | 'heuristic' | 'runs' | 'faces' | 'proxy' | 'folding'
 >;
 
@@ -74,7 +75,7 @@ export class MoreOptions extends Panel {
       segment: chosen(this.segment, segmenters, defaultOptions.segment),
       heuristic: chosen(this.heuristic, heuristics, defaultOptions.heuristic),
       runs: amount(this.runs, defaultOptions.runs),
-      faces: amount(this.faces, defaultOptions.faces),
+      faces: this.faces.value === '' ? 'off' : this.faces.valueAsNumber,
       proxy: amount(this.proxy, defaultOptions.proxy),
       folding: this.chosenFolding(),
     };

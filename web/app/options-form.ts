@@ -1,18 +1,14 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { JobOptions, Orientation } from '../model/job.js';
+import type { Orientation } from '../model/job.js';
+import type { Settings } from '../model/options.js';
 import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
+import { defaultSettings } from '../model/written-options.js';
 import { make } from './dom.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { SizeFields } from './size-fields.js';
-
-/** What the form asks for. */
-export interface Wishes {
-  job: JobOptions;
-  paper: PaperSize;
-}
 
 /** Values of fields, as text. */
 export interface Preset {
@@ -107,23 +103,19 @@ export class OptionsForm extends Panel {
   }
 
   /** What the fields say now; null after showing the person the field that makes no sense. */
-  read(): Wishes | null {
+  read(): Settings | null {
     if (!this.form.reportValidity()) return null;
-    const paper = paperCalled(this.paper.value) ?? paperSizes[0]!;
-    const orientation = orientations.find((value) => value === this.orientation.value) ?? 'auto';
-    const job: JobOptions = {
+    return {
       // For whatever has no field here.
-      ...defaultOptions,
+      ...defaultSettings(),
       ...this.more.read(),
       ...this.size.read(),
       ...this.flaps.read(),
-      parts: this.parts.value === '' ? defaultOptions.parts : this.parts.valueAsNumber,
-      paperWidth: paper.width,
-      paperHeight: paper.height,
-      orientation,
+      parts: this.parts.value === '' ? 'auto' : this.parts.valueAsNumber,
+      paper: paperCalled(this.paper.value) ?? paperSizes[0]!,
+      orientation: orientations.find((value) => value === this.orientation.value) ?? 'auto',
       margin: this.margin.value === '' ? defaultOptions.margin : this.margin.valueAsNumber,
     };
-    return { job, paper };
   }
 
   /** One of no common size is added to the list. */

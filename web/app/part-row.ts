@@ -1,4 +1,4 @@
-import type { JobResult, Piece } from '../model/job.js';
+import type { JobResult, PartName, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import { make } from './dom.js';
 import { listed } from './folding-words.js';
@@ -25,6 +25,8 @@ export class PartRow {
   private name = '';
   /** Whether the field holds what was neither applied nor taken back. */
   private editing = false;
+  /** Whether it holds a name that the part cannot have. */
+  private refused = false;
 
   constructor(
     private readonly part: number,
@@ -39,8 +41,11 @@ export class PartRow {
     this.item = make('li', { className: 'part-row' }, this.button);
   }
 
-  /** @param nameable whether the part can have a name now */
-  show({ pieces, names }: JobResult, nameable: boolean): void {
+  /**
+   * @param names those that parts have, or are about to
+   * @param nameable whether the part can have a name now
+   */
+  show({ pieces }: JobResult, names: readonly PartName[], nameable: boolean): void {
     const own = pieces.filter((piece) => piece.part === this.part);
     const faces = own.reduce((sum, { sources }) => sum + sources.length, 0);
     this.name = names.find(({ part }) => part === this.part)?.name ?? '';
@@ -51,7 +56,7 @@ export class PartRow {
     this.button.title = `${faces} faces`;
     if (!nameable) this.field.remove();
     else if (!this.field.parentNode) this.item.append(this.field);
-    if (!this.editing) this.takeBack();
+    if (!this.editing && !this.refused) this.takeBack();
   }
 
   set pressed(pressed: boolean) {
@@ -62,9 +67,15 @@ export class PartRow {
     this.field.readOnly = locked;
   }
 
-  /** Says of the field that what it holds was not applied, if so. */
+  /** Says of the field that what it holds was not applied. */
   refuse(): void {
-    if (this.field.value.trim() !== this.name) this.field.setAttribute('aria-invalid', 'true');
+    this.refused = true;
+    this.field.setAttribute('aria-invalid', 'true');
+  }
+
+  /** What was refused belongs to another result. */
+  forget(): void {
+    if (this.refused) this.takeBack();
   }
 
   private nameField(): HTMLInputElement {
@@ -89,13 +100,13 @@ export class PartRow {
   private apply(): void {
     // A name that was taken back is no change, whatever the browser says.
     if (!this.editing) return;
-    this.editing = false;
+    this.editing = this.refused = false;
     this.field.removeAttribute('aria-invalid');
     this.listener.rename(this.part, this.field.value.trim());
   }
 
   private takeBack(): void {
-    this.editing = false;
+    this.editing = this.refused = false;
     this.field.value = this.name;
     this.field.removeAttribute('aria-invalid');
   }

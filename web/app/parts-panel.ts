@@ -1,35 +1,23 @@
-import { merging, splitting } from '../model/edits.js';
-import type { PartEdit, JobResult } from '../model/job.js';
+import type { DocumentEdit } from '../model/document-edits.js';
+import type { JobResult } from '../model/job.js';
 import { hangTogether, type Neighbours, partNeighbours } from '../model/part-neighbours.js';
+import { editWords } from './edit-words.js';
 import { Panel } from './panel.js';
 import { PartRow } from './part-row.js';
 import type { StudioPlace } from './place.js';
 import { finishedParts } from './result-words.js';
+import type { Store } from './store.js';
 
-/** What a person asks for, and its name. */
-export interface Change {
-  edits: PartEdit[];
-  /** To be read after "Undo: ". */
-  words: string;
-}
-
+/** What a person asks for. */
 export interface PartsListener {
-  /** These parts are chosen now, from 0; all others are not. */
-  select(parts: number[]): void;
-  change(change: Change): void;
-  /** A part shall have this name; its letter if it is empty. */
-  rename(part: number, name: string): unknown;
+  change(edits: readonly DocumentEdit[]): void;
+  /** A part, from 1, shall have this name; its letter if it is empty. */
+  rename(edit: Extract<DocumentEdit, { kind: 'name' }>): void;
   undo(): void;
+  redo(): void;
 }
 
-/** "part 3", "parts 1 and 2" */
-export function partNumbers(parts: number[]): string {
-  const numbers = parts.map((part) => part + 1);
-  if (numbers.length === 1) return `part ${numbers[0]}`;
-  return `parts ${numbers.slice(0, -1).join(', ')} and ${numbers.at(-1)}`;
-}
-
-/** The parts of a result: choose some, split, merge or name them, and take that back. */
+/** The parts of a result: choose some, split, merge or name them, take that back or make it again. */
 export class PartsPanel extends Panel {
   /** Where the progress of a change is shown. */
   readonly progress = this.find('#parts-progress', HTMLElement);
@@ -39,53 +27,44 @@ export class PartsPanel extends Panel {
   private readonly into = this.find('#split-into', HTMLInputElement);
   private readonly mergeButton = this.find('#merge', HTMLButtonElement);
   private readonly undoButton = this.find('#undo', HTMLButtonElement);
+  private readonly redoButton = this.find('#redo', HTMLButtonElement);
   private readonly apart = this.find('#merge-apart', HTMLElement);
-  private readonly selected = new Set<number>();
   private readonly fault = this.find('#name-fault', HTMLElement);
   private rows: PartRow[] = [];
   private neighbours: Neighbours = [];
-  private busy = false;
 
   constructor(
     place: StudioPlace,
+    private readonly store: Store,
     private readonly listener: PartsListener,
   ) {
     super(place);
     this.on(this.splitButton, () => this.split());
     this.on(this.mergeButton, () => this.merge());
     this.on(this.undoButton, () => listener.undo());
+    this.on(this.redoButton, () => listener.redo());
     this.into.addEventListener('input', () => this.show());
+    store.on('work', () => this.show());
+    store.on('selection', () => this.show());
   }
 
   /**
    * Takes the parts of another result.
    *
-   * @param undo what can be taken back, in words; null if nothing can
-   * @param selected parts that are chosen at first
+   * @param isRenaming it has the pieces of the one before, with other names
    */
-  offer(result: JobResult, undo: string | null, selected: number[] = []): void {
+  offer(result: JobResult, isRenaming: boolean): void {
     this.resize(result.parts);
     this.neighbours = partNeighbours(result);
     // Without all nets a job would go on to search, which a name must not.
     const nameable = finishedParts(result) === result.parts;
-    for (const row of this.rows) row.show(result, nameable);
-    this.fault.hidden = true;
-    this.undoButton.textContent = undo === null ? 'Undo' : `Undo: ${undo}`;
-    this.undoButton.hidden = undo === null;
-    this.select(selected);
-  }
-
-  /** Chooses a part, or no longer. */
-  toggle(part: number): void {
-    if (this.busy || part >= this.rows.length) return;
-    const others = [...this.selected].filter((other) => other !== part);
-    this.select(this.selected.has(part) ? others : [...others, part]);
-  }
-
-  /** Whether a change is being made: until then there can be no other. */
-  set changing(busy: boolean) {
-    this.busy = busy;
-    this.card.setAttribute('aria-busy', String(busy));
+    const { names } = this.store;
+    for (const row of this.rows) {
+      // Why another name was refused stays to be read.
+      if (!isRenaming) row.forget();
+      row.show(result, names, nameable);
+    }
+    if (!isRenaming) this.fault.hidden = true;
     this.show();
   }
 
@@ -94,16 +73,11 @@ export class PartsPanel extends Panel {
     this.splitButton.focus({ preventScroll: true });
   }
 
-  /** Says why a name was not applied. */
-  refuse(reason: string): void {
-    for (const row of this.rows) row.refuse();
+  /** Says why a part, from 1, was not given a name. */
+  refuse(part: number, reason: string): void {
+    this.rows[part - 1]?.refuse();
     this.fault.textContent = reason;
     this.fault.hidden = false;
-  }
-
-  /** The parts that are chosen, from 0. */
-  get chosen(): number[] {
-    return [...this.selected].sort((a, b) => a - b);
   }
 
   /** Rows of parts that stay are kept: the keyboard may be in one of them. */
@@ -111,17 +85,17 @@ export class PartsPanel extends Panel {
     for (const { item } of this.rows.splice(parts)) item.remove();
     while (this.rows.length < parts) {
       const row = new PartRow(this.rows.length, {
-        toggle: (part) => this.toggle(part),
-        rename: (part, name) => this.rename(part, name),
+        toggle: (part) => this.store.toggle(part),
+        rename: (part, text) => this.rename(part, text),
       });
       this.rows.push(row);
       this.list.append(row.item);
     }
   }
 
-  private rename(part: number, name: string): void {
+  private rename(part: number, text: string): void {
     this.fault.hidden = true;
-    this.listener.rename(part, name);
+    this.listener.rename({ kind: 'name', part: part + 1, text });
   }
 
   /** A button that is not to be used keeps the keyboard's place all the same. */
@@ -131,37 +105,41 @@ export class PartsPanel extends Panel {
     });
   }
 
-  private select(parts: number[]): void {
-    this.selected.clear();
-    for (const part of parts) this.selected.add(part);
-    this.rows.forEach((row, part) => (row.pressed = this.selected.has(part)));
-    this.show();
-    this.listener.select(this.chosen);
-  }
-
   private show(): void {
-    const { size } = this.selected;
-    this.splitButton.textContent = size > 1 ? 'Split these parts' : 'Split this part';
-    this.mergeButton.textContent = size > 2 ? `Merge these ${size}` : 'Merge these two';
+    const { busy, canMove, selection, undoable, redoable } = this.store;
+    const { length: count } = selection;
+    this.card.setAttribute('aria-busy', String(busy));
+    this.splitButton.textContent = count > 1 ? 'Split these parts' : 'Split this part';
+    this.mergeButton.textContent = count > 2 ? `Merge these ${count}` : 'Merge these two';
     const disable = (button: HTMLButtonElement, disabled: boolean): void =>
-      button.setAttribute('aria-disabled', String(this.busy || disabled));
-    disable(this.splitButton, size < 1 || !this.into.checkValidity());
-    const areApart = !hangTogether(this.neighbours, this.chosen);
+      button.setAttribute('aria-disabled', String(disabled));
+    disable(this.splitButton, busy || count < 1 || !this.into.checkValidity());
+    const areApart = !hangTogether(this.neighbours, selection);
     this.apart.hidden = !areApart;
-    disable(this.mergeButton, size < 2 || areApart);
-    disable(this.undoButton, false);
-    for (const row of this.rows) row.locked = this.busy;
+    disable(this.mergeButton, busy || count < 2 || areApart);
+    this.rows.forEach((row, part) => {
+      row.pressed = selection.includes(part);
+      row.locked = busy;
+    });
+    const offer = (button: HTMLButtonElement, verb: string, edits: typeof undoable): void => {
+      button.textContent = edits ? `${verb}: ${editWords(edits)}` : verb;
+      const hadFocus = button.matches(':focus');
+      button.hidden = edits === null;
+      if (edits === null && hadFocus) this.focus();
+      disable(button, !canMove);
+    };
+    offer(this.undoButton, 'Undo', undoable);
+    offer(this.redoButton, 'Redo', redoable);
   }
 
   private split(): void {
-    const parts = this.chosen;
     const into = this.into.valueAsNumber;
-    const edits = parts.map((part) => splitting(part, into));
-    this.listener.change({ edits, words: `split of ${partNumbers(parts)}` });
+    const { selection } = this.store;
+    this.listener.change(selection.map((part) => ({ kind: 'split', part: part + 1, into })));
   }
 
   private merge(): void {
-    const parts = this.chosen;
-    this.listener.change({ edits: [merging(parts)], words: `merging of ${partNumbers(parts)}` });
+    const parts = this.store.selection.map((part) => part + 1);
+    this.listener.change([{ kind: 'merge', parts }]);
   }
 }

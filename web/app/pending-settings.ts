@@ -4,7 +4,7 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 /** What the fields of the form hold, by their ids. */
-export type Settings = ReadonlyMap<string, string>;
+export type FieldValues = ReadonlyMap<string, string>;
 
 type Field = HTMLInputElement | HTMLSelectElement;
 
@@ -25,7 +25,7 @@ function nameOf({ labels, id }: Field): string {
 export class PendingSettings extends Panel {
   private readonly form = this.find('#controls', HTMLFormElement);
   private readonly notes = this.place.root.querySelectorAll<HTMLElement>('.pending');
-  private applied: Settings | null = null;
+  private applied: FieldValues | null = null;
 
   constructor(place: StudioPlace) {
     super(place);
@@ -33,12 +33,12 @@ export class PendingSettings extends Panel {
   }
 
   /** What the fields hold now. */
-  read(): Settings {
+  read(): FieldValues {
     return new Map(this.fields().map((field) => [field.id, valueOf(field)]));
   }
 
   /** Compares the fields with these from now on; nothing is marked without any. */
-  compareWith(applied: Settings | null): void {
+  compareWith(applied: FieldValues | null): void {
     this.applied = applied;
     this.mark();
   }

@@ -14,6 +14,8 @@ export class ProgressPanel extends Panel {
   private readonly announcement = this.find('#announcement', HTMLElement);
   private readonly cancel = this.find('#cancel', HTMLButtonElement);
   private state = new ProgressWords();
+  /** Whether there is work to be seen. */
+  private isOpen = false;
 
   constructor(place: StudioPlace, onCancel: () => void) {
     super(place);
@@ -25,7 +27,7 @@ export class ProgressPanel extends Panel {
     const press = (event: Event): void => {
       const isEscape = event instanceof KeyboardEvent && event.key === 'Escape';
       // In a field it closes a list, or takes back what was written.
-      if (isEscape && !this.card.hidden && !isForField(event)) stop();
+      if (isEscape && this.isOpen && !isForField(event)) stop();
     };
     place.ground.addEventListener('keydown', press, { signal: place.life });
   }
@@ -41,6 +43,7 @@ export class ProgressPanel extends Panel {
     else this.announcement.before(this.card);
     this.state = new ProgressWords();
     this.model.textContent = modelName;
+    this.isOpen = true;
     this.card.hidden = false;
     this.show();
     this.card.scrollIntoView({ block: 'nearest' });
@@ -54,6 +57,7 @@ export class ProgressPanel extends Panel {
 
   /** Puts the card away and says how it ended. */
   end(words: string): void {
+    this.isOpen = false;
     this.card.hidden = true;
     this.announcement.textContent = words;
   }

@@ -66,24 +66,9 @@ export class ResultPanel extends Panel {
     };
   }
 
-  /** Whether there is a result on the page. */
-  get shown(): boolean {
-    return !this.panel.hidden;
-  }
-
-  /** Makes room for a run; the result can be restored. */
-  hide(): void {
-    this.panel.hidden = true;
-  }
-
-  /** Whether there ever was a result. */
-  get exists(): boolean {
-    return this.shownRun !== null;
-  }
-
-  /** Shows the last result again, if there ever was one. */
-  restore(): void {
-    this.panel.hidden = !this.exists;
+  /** Shows the result, or makes room for a run. */
+  set open(open: boolean) {
+    this.panel.hidden = !open;
   }
 
   /** Moves the keyboard to the result. */
@@ -93,9 +78,9 @@ export class ResultPanel extends Panel {
 
   /** Draws the sheets of a run; null if a later one was quicker. What is on the page stays. */
   async draw(run: FinishedRun): Promise<DrawnRun | null> {
-    const { model, wishes, result } = run;
+    const { model, settings, result } = run;
     const [turn, look] = [++this.turns, this.looks];
-    const source = { result, name: stem(model.name), margin: wishes.job.margin };
+    const source = { result, name: stem(model.name), margin: settings.margin };
     const writer = new ResultWriter(source, this.print.read(), this.place.life);
     try {
       const sheets = await this.sheets.draw(result, writer);
@@ -110,17 +95,15 @@ export class ResultPanel extends Panel {
   }
 
   /**
-   * Replaces the result on the page, but for all sheets after the first, at once; returns its
-   * one-sentence summary.
+   * Replaces the result on the page, but for all sheets after the first, at once.
    *
    * @param renamed it has the pieces of the one before with other names: all sheets are replaced
    */
-  show({ run, writer, sheets, notices, look }: DrawnRun, renamed = false): string {
-    const { model, wishes, result } = run;
+  show({ run, writer, sheets, notices, look }: DrawnRun, renamed = false): void {
+    const { model, settings, result } = run;
     this.sheets.show(sheets, result, renamed);
-    const lead = leadSentence(result, wishes.paper);
     this.title.textContent = stem(model.name);
-    this.lead.textContent = lead;
+    this.lead.textContent = leadSentence(result, settings.paper);
     this.facts.replaceChildren(
       ...resultFacts(result).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
@@ -131,10 +114,8 @@ export class ResultPanel extends Panel {
     this.steps.offer(result.pieces);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
-    this.panel.hidden = false;
     this.shownRun = { run, writer };
     if (look !== this.looks) void this.redraw();
-    return lead;
   }
 
   /** Draws the sheets once more, as the print options are now. */

@@ -1,9 +1,10 @@
-import type { JobOptions, Sizing, Unit, Up } from '../model/job.js';
+import type { Sizing, Unit, Up } from '../model/job.js';
+import type { sizings, Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 /** What these fields decide. */
-export type Size = Pick<JobOptions, 'sizing' | 'size' | 'unit' | 'up'>;
+export type Size = Pick<Settings, (typeof sizings)[number] | 'unit' | 'up'>;
 
 /** How the number of each kind of size is asked for. */
 interface Amount {
@@ -44,10 +45,14 @@ export class SizeFields extends Panel {
   /** What the fields say now; they must be valid. */
   read(): Size {
     const sizing = this.sizing();
-    const size = sizing === 'fit' ? 0 : this.amount.valueAsNumber;
+    const amount = (kind: Sizing): number | 'none' =>
+      kind === sizing ? this.amount.valueAsNumber : 'none';
     return {
-      sizing,
-      size,
+      height: amount('height'),
+      width: amount('width'),
+      depth: amount('depth'),
+      scale: amount('scale'),
+      sheets: amount('sheets'),
       unit: units.find((name) => name === this.unit.value) ?? 'guess',
       up: ups.find((name) => name === this.up.value) ?? 'guess',
     };

@@ -1,35 +1,38 @@
+import { makeDoor } from '../api/door.js';
+import { loadFont } from '../browser/font-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
-import { differentlyNamed, renamed, startFrom } from '../model/edits.js';
-import type { JobResult, PartName } from '../model/job.js';
+import type { DocumentEdit } from '../model/document-edits.js';
 import { missingSupport } from './browser-support.js';
 import { DownloadBar } from './download-bar.js';
+import type { Ending, Failure } from './ending.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
-import { type Failure, JobRunner, type Outcome } from './job-runner.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
 import { fetchModelFile, readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
 import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
-import { partNumbers, PartsPanel, type Change } from './parts-panel.js';
+import { PartsPanel } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
 import { ProgressPanel } from './progress-panel.js';
-import { ResultPanel } from './result-panel.js';
-import { RunHistory } from './run-history.js';
+import { type DrawnRun, ResultPanel } from './result-panel.js';
+import { leadSentence } from './result-words.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
 import { StepsPanel } from './steps-panel.js';
+import { type Drawing, Store } from './store.js';
+import { listenForUndo } from './undo-keys.js';
 import { Workshop } from './workshop.js';
 
 /** Ms after the studio is complete: its pictures shall be there first. */
 const preparation = 300;
 
-/** Ms before the progress of naming is shown: most of the time it is done by then. */
-const namingPatience = 500;
+/** Ms before the progress of a change is shown: most of the time it is done by then. */
+const editPatience = 500;
 
 /** What a person can do about a failure. */
 const nextSteps: Readonly<Record<Failure['cause'], string>> = {
@@ -38,11 +41,14 @@ const nextSteps: Readonly<Record<Failure['cause'], string>> = {
   crash: 'Nothing else is lost, and the next run starts afresh. A smaller model may work.',
 };
 
-/** Parts of the later result that have faces of what a change of the earlier one named. */
-function touched(before: JobResult, after: JobResult, { edits }: Change): number[] {
-  const named = new Set(edits.flatMap(({ parts }) => parts));
-  return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]!)))];
-}
+/** What is said of the pictures of a run that has no result. */
+const notes: Readonly<Partial<Record<Ending['type'], string>>> = {
+  cancelled: 'Cancelled. This is how far it came.',
+  failed: 'This is how far it came.',
+  undrawn: 'The nets were found, but not drawn.',
+};
+
+const leadOf = ({ result, settings }: FinishedRun): string => leadSentence(result, settings.paper);
 
 export interface StudioListener {
   /** The studio is complete, and begins to load what a run needs. */
@@ -51,9 +57,9 @@ export interface StudioListener {
   onEvent(event: TimedEvent): void;
 }
 
-/** Ties the panels together: a choice starts a run, a run ends in a result or a message. */
+/** Ties panels and store together: what a person does becomes a command, and its ending is told in words. */
 export class Studio extends Panel {
-  private readonly runner: JobRunner;
+  private readonly store: Store;
   private readonly message = new MessagePanel(this.place);
   private readonly form = new OptionsForm(this.place, () => void this.unfold());
   private readonly settings = new PendingSettings(this.place);
@@ -61,20 +67,13 @@ export class Studio extends Panel {
     void this.choose(model);
   });
   private readonly choice = new ModelChoice(this.place, this.form, this.gallery);
-  private readonly progress = new ProgressPanel(this.place, () => this.runner.cancel());
+  private readonly progress = new ProgressPanel(this.place, () => this.store.cancel());
   private readonly workshop: Workshop;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
-  private readonly history = new RunHistory();
   private readonly welcome = this.find('#welcome', HTMLElement);
-  /** Names that are being given to the parts of the result; null if none are. */
-  private naming: PartName[] | null = null;
-  /** The end of the last naming. */
-  private named = Promise.resolve();
   /** Whether this browser can run it. */
   private isOpen = false;
-  /** Counts choices: a file that is slower to read than a later choice is dropped. */
-  private choices = 0;
 
   /** @param engine gives the workers; is not asked before the studio has use for them */
   constructor(
@@ -83,28 +82,32 @@ export class Studio extends Panel {
     private readonly listener: StudioListener,
   ) {
     super(place);
-    this.runner = new JobRunner(engine, place.life, (event) => listener.onEvent(event));
-    const downloads = new DownloadBar(place, (format) =>
-      this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
-    );
-    const pick = (part: number): void => this.parts.toggle(part);
+    this.store = this.makeStore();
+    const pick = (part: number): void => this.store.toggle(part);
     const sheets = new SheetList(place, pick);
     this.workshop = new Workshop(place, pick);
-    this.parts = new PartsPanel(place, {
-      select: (parts) => {
-        this.workshop.select(parts);
-        sheets.select(parts);
-      },
-      change: (change) => void this.change(change),
-      rename: (part, name) => (this.named = this.rename(part, name)),
-      undo: () => void this.undo(),
-    });
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
+    const downloads = new DownloadBar(place, (format) =>
+      this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
+    );
     this.result = new ResultPanel(place, downloads, sheets, steps);
+    const move = { undo: () => void this.undo(), redo: () => void this.redo() };
+    this.parts = new PartsPanel(place, this.store, {
+      change: (edits) => void this.change(edits),
+      rename: (edit) => void this.rename(edit),
+      ...move,
+    });
+    listenForUndo(place, move);
     new HatchSwitch(place, (hatched) => this.workshop.hatch(hatched));
+    this.store.on('choice', () => this.choice.show(this.store.choice));
+    this.store.on('scene', () => this.setScene());
+    this.store.on('selection', () => {
+      this.workshop.select(this.store.selection);
+      sheets.select(this.store.selection);
+    });
   }
 
   /** Opens the studio for choices, or says why this browser cannot run it. */
@@ -132,13 +135,18 @@ export class Studio extends Panel {
     if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life));
   }
 
-  /** Takes a model and unfolds it. A choice that is no model leaves the one before in place. */
-  private async choose(coming: Promise<ModelFile>): Promise<void> {
-    const number = ++this.choices;
-    const model = await coming.catch((error: unknown) => this.explain(error));
-    if (!model || number !== this.choices) return;
-    this.choice.take(model);
-    await this.unfold();
+  private makeStore(): Store {
+    const { open } = makeDoor({ startPool: this.engine, loadFont });
+    return new Store({
+      open: (model) => open([model], { pool: this.engine }),
+      draw: (run) => this.draw(run),
+      follow: (event) => {
+        this.progress.follow(event);
+        if (this.store.work === 'running') this.workshop.follow(event);
+      },
+      hear: (event) => this.listener.onEvent(event),
+      life: this.place.life,
+    });
   }
 
   private prepare(): void {
@@ -148,211 +156,136 @@ export class Studio extends Panel {
     this.listener.onReady();
   }
 
-  private async unfold(): Promise<void> {
-    const { model } = this.choice;
-    const wishes = this.form.read();
-    if (!model || !wishes) return;
-    this.naming = null;
-    this.message.clear();
-    this.welcome.hidden = true;
-    this.choice.open();
-    this.progress.begin(model.name);
-    const settings = this.settings.read();
-    this.settings.compareWith(settings);
-    const pictures = this.workshop.begin(model.name);
-    this.parts.changing = true;
-    const outcome = await this.runner.run(model, wishes.job, (event) => {
-      if (event.type === 'model') this.choice.accept();
-      this.progress.follow(event);
-      this.workshop.follow(event);
-      // The pictures of a run need the room of the last result, which comes back if there is none.
-      if (this.workshop.shown) this.result.hide();
-    });
-    // A later run has ended this one and taken over the panels.
-    if (this.runner.running) return;
-    if (outcome.type === 'failed') return this.fail(outcome, model);
-    this.choice.leave();
-    await this.finish(outcome, { model, wishes, settings, pictures });
+  private setScene(): void {
+    const { scene } = this.store;
+    this.welcome.hidden = scene !== 'welcome';
+    this.result.open = scene === 'result';
+    this.workshop.open = scene === 'pictures';
   }
 
-  /** Presents what came out. */
-  private async finish(
-    outcome: Exclude<Outcome, Failure>,
-    from: Omit<FinishedRun, 'result'>,
-  ): Promise<void> {
-    const isDone = outcome.type === 'done';
-    // A whole result is worth more than a part of the next one.
-    const result = isDone ? outcome.result : this.result.exists ? null : outcome.best;
-    if (!result) return this.leave('Cancelled. This is how far it came.', 'Cancelled.');
-    const run = { ...from, result };
-    const lead = await this.present(run, () => this.history.begin(run));
-    if (lead === null) return;
+  /** Takes a model and unfolds it. */
+  private async choose(coming: Promise<ModelFile>): Promise<void> {
+    const isTaken = await this.store.choose(coming).catch((error: unknown) => this.explain(error));
+    if (isTaken === true) await this.unfold();
+  }
+
+  private async unfold(): Promise<void> {
+    const { model } = this.store.choice;
+    const asked = this.form.read();
+    if (!model || !asked) return;
+    this.message.clear();
+    this.progress.begin(model.name);
+    const ending = await this.store.unfold(asked, this.settings.read(), (pictures) =>
+      this.workshop.begin(pictures),
+    );
+    if (ending.type === 'shown') await this.tellRun(ending);
+    else if (ending.type !== 'nothing') this.leave(ending, model);
+  }
+
+  private async tellRun({ run, isWhole }: Extract<Ending, { type: 'shown' }>): Promise<void> {
+    await this.result.complete();
+    if (this.store.run !== run) return;
     const { hasFocus } = this.progress;
-    this.progress.end(isDone ? `Done: ${lead}` : `Cancelled. ${lead}`);
+    this.progress.end(isWhole ? `Done: ${leadOf(run)}` : `Cancelled. ${leadOf(run)}`);
     this.form.action = 'Unfold again';
     if (hasFocus) this.result.focus();
   }
 
-  /** Says why nothing came out. A file that cannot be read is not the chosen one any more. */
-  private fail({ cause, text }: Failure, model: ModelFile): void {
-    if (cause === 'file') this.choice.drop();
-    else this.choice.leave();
-    this.leave('This is how far it came.', '');
-    const before = this.history.current;
-    const rest = before ? [`What is below is still the result of “${before.model.name}”.`] : [];
-    const headline = `“${model.name}” could not be unfolded`;
+  /** Says why nothing came out: the result before is back, or else the pictures of the run stay with a note. */
+  private leave(ending: Ending, { name }: ModelFile): void {
+    const { hasFocus } = this.progress;
+    const { run } = this.store;
+    if (run) this.comeBack(run);
+    else this.workshop.stop(notes[ending.type] ?? '');
+    if (hasFocus) this.form.focus();
+    this.progress.end(ending.type === 'cancelled' ? 'Cancelled.' : '');
+    if (ending.type === 'undrawn') this.tellUndrawn(ending.run);
+    if (ending.type !== 'failed') return;
+    const rest = run ? [`What is below is still the result of “${run.model.name}”.`] : [];
+    const { text, cause } = ending;
+    const headline = `“${name}” could not be unfolded`;
     this.message.show(headline, sentence(text), nextSteps[cause], ...rest);
   }
 
-  /** Changes parts of the result; what comes out takes its place. */
-  private async change(change: Change): Promise<void> {
-    if (this.runner.running && !this.naming) return;
-    this.parts.changing = true;
-    await this.named;
-    const before = this.history.current;
-    if (!before || this.runner.running) return;
-    const { model, wishes, result } = before;
-    const job = { ...wishes.job, names: result.names };
-    this.message.clear();
-    this.progress.begin(model.name, this.parts.progress);
-    const follow = (event: TimedEvent): void => this.progress.follow(event);
-    const start = startFrom(result, change.edits);
-    const outcome = await this.runner.run(model, job, follow, start);
-    if (this.runner.running) return;
-    const { hasFocus } = this.progress;
-    if (outcome.type === 'done') {
-      const run = { ...before, result: outcome.result };
-      const selected = touched(result, outcome.result, change);
-      const enter = (): void => this.history.add(run, change.words);
-      const lead = await this.present(run, enter, { selected });
-      if (lead !== null) this.progress.end(`Done: ${lead}`);
-      if (lead !== null && hasFocus) this.parts.focus();
-      return;
-    }
-    this.parts.changing = false;
-    if (hasFocus) this.parts.focus();
-    this.progress.end(outcome.type === 'cancelled' ? 'Cancelled. All is as it was.' : '');
-    if (outcome.type === 'failed') {
-      this.message.show('Nothing was changed', sentence(outcome.text));
-    }
-  }
-
-  /**
-   * Names a part. Only texts on paper change: nets, motions and places are those of the result. A
-   * later name does not wait for the ones before, but takes them along.
-   */
-  private async rename(part: number, name: string): Promise<void> {
-    // Names that are being drawn already are those of the result in a moment.
-    if (this.naming && !this.runner.running) await this.named;
-    const before = this.history.current;
-    if (!before || (this.runner.running && !this.naming)) return;
-    const { model, wishes, result } = before;
-    const names = renamed(this.naming ?? result.names, part, name);
-    const parts = differentlyNamed(result.names, names);
-    if (parts.length === 0) return this.runner.cancel();
-    this.naming = names;
-    this.message.clear();
-    const begin = (): void => this.progress.begin(model.name, this.parts.progress);
-    const late = setTimeout(begin, namingPatience);
-    const follow = (event: TimedEvent): void => this.progress.follow(event);
-    const job = { ...wishes.job, names };
-    const outcome = await this.runner.run(model, job, follow, startFrom(result, []));
-    clearTimeout(late);
-    if (this.runner.running) return;
-    if (outcome.type !== 'done') return this.keepNames(outcome, before);
-    // What was computed for the nets was computed before.
-    const { seconds, search } = result;
-    const run = { ...before, result: { ...outcome.result, seconds, search } };
-    const words = `${parts.length === 1 ? 'name' : 'names'} of ${partNumbers(parts)}`;
-    const enter = (): void => this.history.add(run, words);
-    const selected = this.parts.chosen;
-    const lead = await this.present(run, enter, { selected, renamed: true });
-    if (this.runner.running) return;
-    this.naming = null;
-    if (lead !== null) this.progress.end(name === '' ? 'The name is gone.' : `Named ${name}.`);
-  }
-
-  /** Ends a naming that came to nothing. */
-  private keepNames(outcome: Outcome, { result }: FinishedRun): void {
-    this.naming = null;
-    this.progress.end('');
-    if (outcome.type === 'failed') this.parts.refuse(sentence(outcome.text));
-    else this.parts.offer(result, this.history.undo, this.parts.chosen);
-  }
-
-  /** Takes the last change back. */
-  private async undo(): Promise<void> {
-    // A name that nobody has seen yet is not what shall be taken back.
-    if (this.naming) this.runner.cancel();
-    await this.named;
-    if (this.runner.running) return;
-    const run = this.history.before;
-    if (!run) return;
-    this.message.clear();
-    this.parts.focus();
-    this.parts.changing = true;
-    const lead = await this.present(run, () => this.history.back());
-    if (lead !== null) this.progress.end(`Undone: ${lead}`);
-  }
-
-  /**
-   * Ends a run without a result: the result before comes back whole, or else the pictures of the run
-   * stay with a note.
-   */
-  private leave(note: string, announcement: string): void {
-    const { hasFocus } = this.progress;
-    const before = this.history.current;
-    if (before) this.comeBack(before);
-    else this.workshop.stop(note);
-    this.settings.compareWith(before?.settings ?? null);
-    this.parts.changing = false;
-    this.welcome.hidden = before !== null || this.workshop.shown;
-    if (hasFocus) this.form.focus();
-    this.progress.end(announcement);
-  }
-
   /** Another run may have used the panels of the result that is on the page. */
-  private comeBack({ pictures, result }: FinishedRun): void {
+  private comeBack({ pictures, result, fields }: FinishedRun): void {
     if (!this.workshop.shows(pictures)) {
       this.workshop.finish(pictures, result);
-      this.workshop.select(this.parts.chosen);
+      this.workshop.select(this.store.selection);
     }
-    this.result.restore();
+    this.settings.compareWith(fields);
   }
 
-  /**
-   * Shows nets and model; null if they could not be drawn, or if a run has begun meanwhile, whose
-   * panels these are then.
-   *
-   * @param enter puts the run into the history
-   * @param how.selected parts that are chosen at first
-   * @param how.renamed all but names is as it was
-   */
-  private async present(
-    run: FinishedRun,
-    enter: () => void,
-    { selected = [], renamed = false }: { selected?: number[]; renamed?: boolean } = {},
-  ): Promise<string | null> {
-    const drawn = await this.result.draw(run).catch((error: unknown) => {
-      console.error(error);
-      if (!this.runner.running) this.tellUndrawn(run);
-      return null;
-    });
-    if (drawn === null || this.runner.running) return null;
-    // All at once: no two panels may ever show different runs.
-    enter();
-    const lead = this.result.show(drawn, renamed);
-    if (renamed) this.workshop.rename(run.result.pieces);
-    else this.workshop.finish(run.pictures, run.result);
-    this.settings.compareWith(run.settings);
-    this.parts.offer(run.result, this.history.undo, selected);
-    this.parts.changing = false;
-    await this.result.complete();
-    return this.runner.running ? null : lead;
+  private async change(edits: readonly DocumentEdit[]): Promise<void> {
+    const ending = await this.edit(this.store.apply(edits), (run) => `Done: ${leadOf(run)}`);
+    if (ending.type === 'refused') this.tellUnchanged(ending.refusal.params.text);
+  }
+
+  /** Names a part: only texts on paper change. */
+  private async rename(edit: Extract<DocumentEdit, { kind: 'name' }>): Promise<void> {
+    const { text, part } = edit;
+    const words = text === '' ? 'The name is gone.' : `Named ${text}.`;
+    const ending = await this.edit(this.store.apply([edit]), () => words);
+    if (ending.type === 'refused') this.parts.refuse(part, sentence(ending.refusal.params.text));
+  }
+
+  private async undo(): Promise<void> {
+    if (!this.store.canMove || !this.store.undoable) return;
+    await this.edit(this.store.undo(), (run) => `Undone: ${leadOf(run)}`);
+  }
+
+  private async redo(): Promise<void> {
+    if (!this.store.canMove || !this.store.redoable) return;
+    await this.edit(this.store.redo(), (run) => `Made again: ${leadOf(run)}`);
+  }
+
+  /** Follows a change of the result to its end, and tells it. */
+  private async edit(change: Promise<Ending>, done: (run: FinishedRun) => string): Promise<Ending> {
+    this.message.clear();
+    const begin = (): void => {
+      const { run, work } = this.store;
+      if (run && work === 'editing') this.progress.begin(run.model.name, this.parts.progress);
+    };
+    const late = setTimeout(begin, editPatience);
+    const ending = await change;
+    clearTimeout(late);
+    if (ending.type === 'nothing') return ending;
+    if (ending.type === 'shown') await this.result.complete();
+    // What has begun meanwhile tells its own end.
+    if (this.store.work !== 'idle') return ending;
+    if (this.progress.hasFocus) this.parts.focus();
+    this.progress.end('');
+    if (ending.type === 'shown') this.progress.end(done(ending.run));
+    if (ending.type === 'cancelled') this.progress.end('Cancelled. All is as it was.');
+    if (ending.type === 'undrawn') this.tellUndrawn(ending.run);
+    if (ending.type === 'failed') this.tellUnchanged(ending.text);
+    return ending;
+  }
+
+  /** Draws the sheets of a run aside, and hands over what puts it on all panels. */
+  private async draw(run: FinishedRun): Promise<Drawing | null> {
+    const drawn = await this.result.draw(run);
+    if (!drawn) return null;
+    return {
+      show: ({ isRenaming }) => this.show(drawn, isRenaming),
+      drop: () => drawn.writer.close(),
+    };
+  }
+
+  private show(drawn: DrawnRun, isRenaming: boolean): void {
+    const { result, pictures, fields } = drawn.run;
+    this.result.show(drawn, isRenaming);
+    if (isRenaming) this.workshop.rename(result.pieces);
+    else this.workshop.finish(pictures, result);
+    this.settings.compareWith(fields);
+    this.parts.offer(result, isRenaming);
+  }
+
+  private tellUnchanged(reason: string): void {
+    this.message.show('Nothing was changed', sentence(reason));
   }
 
   private tellUndrawn({ model }: FinishedRun): void {
-    this.leave('The nets were found, but not drawn.', '');
     this.message.show(`The sheets of “${model.name}” could not be drawn`, 'Try it once more.');
   }
 

@@ -31,9 +31,9 @@ export class Workshop extends Panel {
     this.model = new ModelPanel(place, onPick);
   }
 
-  /** Whether a run that ended without a result has left something to see. */
-  get shown(): boolean {
-    return !this.room.hidden;
+  /** Shows the room in which a run is watched. */
+  set open(open: boolean) {
+    this.room.hidden = !open;
   }
 
   /** Loads what the pictures need, for a run that will come. */
@@ -42,11 +42,9 @@ export class Workshop extends Panel {
   }
 
   /** Awaits a run; what is on the page stays until the first of its pictures comes. */
-  begin(modelName: string): RunPictures {
-    this.present = new RunPictures(modelName);
-    this.room.hidden = true;
+  begin(pictures: RunPictures): void {
+    this.present = pictures;
     this.model.prepare();
-    return this.present;
   }
 
   /** Takes an event of the run in. */
@@ -97,7 +95,6 @@ export class Workshop extends Panel {
     }
     this.find('#result-model', HTMLElement).append(this.model.figure);
     this.find('#result-pictures', HTMLElement).append(this.pictures);
-    this.room.hidden = true;
   }
 
   /** Takes the pieces of the result with other names; the pictures stay as they are. */
@@ -118,7 +115,7 @@ export class Workshop extends Panel {
   }
 
   /** Lets parts of the finished model stand out from all others, unless there are none. */
-  select(parts: number[]): void {
+  select(parts: readonly number[]): void {
     this.model.select(parts);
   }
 
@@ -135,7 +132,6 @@ export class Workshop extends Panel {
     this.net.clear();
     this.chart.show(this.present.fitness);
     this.views.append(this.model.figure, this.pictures);
-    this.room.hidden = false;
     this.model.turn(true);
   }
 }

@@ -1,4 +1,4 @@
-import type { JobResult, JobStart, NetEdit, PartEdit, PartName } from './job.js';
+import type { JobResult, JobStart, NetEdit, PartEdit, PartName, Piece } from './job.js';
 
 /** Splits a part in so many. */
 export function splitting(part: number, into = 2): PartEdit {
@@ -36,16 +36,25 @@ export function renamed(names: readonly PartName[], part: number, name: string):
   return name === '' ? others : [...others, { part, name }].sort((a, b) => a.part - b.part);
 }
 
-/** The parts whose names differ, ascending. */
-export function differentlyNamed(
-  before: readonly PartName[],
-  after: readonly PartName[],
-): number[] {
-  const isIn = (names: readonly PartName[], { part, name }: PartName): boolean =>
-    names.some((other) => other.part === part && other.name === name);
-  const changed = [
-    ...before.filter((chosen) => !isIn(after, chosen)),
-    ...after.filter((chosen) => !isIn(before, chosen)),
-  ];
-  return [...new Set(changed.map(({ part }) => part))].sort((a, b) => a - b);
+/** What rounding makes of a place that is kept, in mm and degrees, at most. */
+const samePlace = 1e-6;
+
+function isSamePiece(before: Piece, after: Piece): boolean {
+  const places = ({ sheet, x, y, angle }: Piece): number[] => [sheet, x, y, angle];
+  const others = places(after);
+  return (
+    before.part === after.part &&
+    before.sources.join() === after.sources.join() &&
+    places(before).every((value, i) => Math.abs(value - others[i]!) < samePlace)
+  );
+}
+
+/** Whether a later result has all pieces of an earlier one where they were, so that only names may differ. */
+export function isRenaming(before: JobResult, after: JobResult): boolean {
+  const { pieces } = before;
+  return (
+    before.scale === after.scale &&
+    pieces.length === after.pieces.length &&
+    pieces.every((piece, i) => isSamePiece(piece, after.pieces[i]!))
+  );
 }

@@ -90,7 +90,7 @@ export class ModelMesh {
   }
 
   /** Lets parts stand out by fading all others, unless there are none. */
-  select(parts: number[]): void {
+  select(parts: readonly number[]): void {
     this.selected = new Set(parts);
     paintFaces(this.mesh.geometry, this.labels, this.selected);
   }

@@ -24,7 +24,7 @@ export type ModelMessage =
   /** The parts of the faces; -1 is blank paper. Those of another model are ignored. */
   | { type: 'labels'; labels: Int32Array }
   /** Parts that stand out; all others fade, unless there are none. */
-  | { type: 'selected'; parts: number[] }
+  | { type: 'selected'; parts: readonly number[] }
   /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
   | { type: 'point'; x: number; y: number }
   /** Whether hatches tell the parts apart, besides colours. */

@@ -1,0 +1,96 @@
+/** A document without an engine, for tests of the store: every step waits until the test lets it go on. */
+import type { DocumentState } from '../../web/api/document-state.js';
+import { refusal, type Refusal } from '../../web/api/edit-plan.js';
+import type { Applied } from '../../web/api/session.js';
+import type { RunWork, WorkOptions } from '../../web/api/work.js';
+import type { OpenModel } from '../../web/app/store.js';
+import type { TimedEvent } from '../../web/core/protocol.js';
+import type { DocumentEdit } from '../../web/model/document-edits.js';
+import { renamed } from '../../web/model/edits.js';
+import type { PartName } from '../../web/model/job.js';
+import type { Settings } from '../../web/model/options.js';
+import type { Report } from '../../web/export/report.js';
+
+/** A result of so many parts of one face each, which are pieces as well. */
+export function stateOf(settings: Settings, parts: number, names: PartName[] = []): DocumentState {
+  const pieces = Array.from({ length: parts }, (_, part) => {
+    const sources = Int32Array.of(part);
+    return { part, sources, sheet: 0, x: part, y: 0, angle: 0 };
+  });
+  const labels = Int32Array.from(pieces, ({ part }) => part);
+  const result = { parts, labels, names, pieces, scale: 1, notices: [] };
+  const wishes = { settings, flapEdges: [], names, pins: [] };
+  return { wishes, result: result as unknown as DocumentState['result'] };
+}
+
+function next(before: DocumentState, edits: readonly DocumentEdit[]): DocumentState | Refusal {
+  const { wishes, result } = before;
+  const [edit] = edits;
+  if (edit?.kind === 'split') return stateOf(wishes.settings, result.parts + edit.into - 1);
+  if (edit?.kind !== 'name') return refusal('bad-edit', 'there is no such edit');
+  if (edit.text.length > 16) return refusal('bad-option', 'the name is too long');
+  return stateOf(wishes.settings, result.parts, renamed(result.names, edit.part - 1, edit.text));
+}
+
+export class FakeSession implements OpenModel {
+  private states: { state: DocumentState; edits: readonly DocumentEdit[] }[] = [];
+  position = 0;
+  /** Settles the present work; rejects it if there is an error. */
+  goOn: (error?: Error) => void = () => undefined;
+  /** What the present work tells. */
+  say: (event: object) => void = () => undefined;
+
+  get lastStep(): readonly DocumentEdit[] | null {
+    return this.position > 0 ? this.states[this.position]!.edits : null;
+  }
+
+  get nextStep(): readonly DocumentEdit[] | null {
+    return this.states[this.position + 1]?.edits ?? null;
+  }
+
+  async runWith(settings: Settings, work: RunWork = {}): Promise<Report> {
+    await this.wait(work);
+    work.onEvent?.({ type: 'model' } as TimedEvent);
+    this.states = [{ state: stateOf(settings, 4), edits: [] }];
+    return {} as Report;
+  }
+
+  async apply(
+    asked: DocumentEdit | readonly DocumentEdit[],
+    work: WorkOptions = {},
+  ): Promise<Applied | Refusal> {
+    const edits = asked as readonly DocumentEdit[];
+    await this.wait(work);
+    const state = next(this.states[this.position]!.state, edits);
+    if ('ok' in state) return state;
+    this.states = [...this.states.slice(0, ++this.position), { state, edits }];
+    return { ok: true, changed: [] };
+  }
+
+  undo(): boolean {
+    return this.move(-1);
+  }
+
+  redo(): boolean {
+    return this.move(1);
+  }
+
+  state(): Promise<DocumentState> {
+    return Promise.resolve(this.states[this.position]!.state);
+  }
+
+  private move(by: number): boolean {
+    if (!this.states[this.position + by]) return false;
+    this.position += by;
+    return true;
+  }
+
+  private async wait({ signal, onEvent }: WorkOptions): Promise<void> {
+    signal?.throwIfAborted();
+    this.say = (event) => onEvent?.(event as TimedEvent);
+    await new Promise<void>((resolve, reject) => {
+      this.goOn = (error) => (error ? reject(error) : resolve());
+      signal?.addEventListener('abort', () => reject(signal.reason as Error));
+    });
+  }
+}

@@ -1,0 +1,46 @@
+import type { ModelFile } from './model-file.js';
+
+/** The model that the button unfolds. A file is chosen once the engine could read it, and not before. */
+export class Choice {
+  private readable: ModelFile | null = null;
+  /** Not read yet. */
+  private candidate: ModelFile | null = null;
+  private isOpening = false;
+
+  /** Null if there is none. */
+  get model(): ModelFile | null {
+    return this.candidate ?? this.readable;
+  }
+
+  /** Whether it is being read for the first time. */
+  get opening(): boolean {
+    return this.isOpening;
+  }
+
+  /** Takes a file that may be one. */
+  take(model: ModelFile): void {
+    this.candidate = model;
+  }
+
+  /** The file is being read. */
+  open(): void {
+    this.isOpening = this.candidate !== null;
+  }
+
+  /** It is a model. */
+  accept(): void {
+    this.readable = this.model;
+    this.drop();
+  }
+
+  /** It is none, and is dropped: the one before is chosen again, if there is one. */
+  drop(): void {
+    this.candidate = null;
+    this.leave();
+  }
+
+  /** Nobody knows, as it was not read to its end. */
+  leave(): void {
+    this.isOpening = false;
+  }
+}

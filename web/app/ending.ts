@@ -1,0 +1,32 @@
+/** How the work that a person asked for can end. */
+import type { Refusal } from '../api/edit-plan.js';
+import { blamesOptions, engineDied, type JobError } from '../core/job-error.js';
+import type { FinishedRun } from './finished-run.js';
+
+/** `cause`: the file holds no model that can be read, or the model or the settings are at fault, or the engine is. */
+export interface Failure {
+  type: 'failed';
+  text: string;
+  cause: 'file' | 'job' | 'crash';
+}
+
+export type Ending =
+  /** The run is on the page; `isWhole`: it was not ended before it had all nets. */
+  | { type: 'shown'; run: FinishedRun; isWhole: boolean }
+  /** Ended by the person; all is as it was. */
+  | { type: 'cancelled' }
+  | Failure
+  /** An edit that cannot be made. */
+  | { type: 'refused'; refusal: Refusal }
+  /** The nets are there, but their sheets could not be drawn; all is as it was. */
+  | { type: 'undrawn'; run: FinishedRun }
+  /** There was nothing to do, or later work has taken over and ends otherwise. */
+  | { type: 'nothing' };
+
+/** @param wasRead whether the model had been read by then */
+export function failureOf(error: JobError, wasRead: boolean): Failure {
+  const { code, message: text } = error;
+  if (code === engineDied) return { type: 'failed', text, cause: 'crash' };
+  const cause = wasRead || blamesOptions(error) ? 'job' : 'file';
+  return { type: 'failed', text, cause };
+}

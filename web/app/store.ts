@@ -1,0 +1,393 @@
+import type { DocumentState } from '../api/document-state.js';
+import type { Applied, Session } from '../api/session.js';
+import type { RunWork, WorkOptions } from '../api/work.js';
+import type { Refusal } from '../api/edit-plan.js';
+import { JobError } from '../core/job-error.js';
+import type { TimedEvent } from '../core/protocol.js';
+import type { DocumentEdit } from '../model/document-edits.js';
+import { isRenaming, renamed } from '../model/edits.js';
+import type { JobResult, PartName } from '../model/job.js';
+import type { Settings } from '../model/options.js';
+import { Choice } from './choice.js';
+import { partsOf } from './edit-words.js';
+import { failureOf, type Ending } from './ending.js';
+import type { FinishedRun } from './finished-run.js';
+import type { ModelFile } from './model-file.js';
+import type { FieldValues } from './pending-settings.js';
+import { never } from './place.js';
+import { RunPictures } from './run-pictures.js';
+
+/** What is being done. */
+export type Work = 'idle' | 'running' | 'editing';
+
+/** What fills the page: the pictures of a run need the room of a result. */
+export type Scene = 'welcome' | 'empty' | 'pictures' | 'result';
+
+/** What can change. */
+export type Topic = 'choice' | 'work' | 'scene' | 'selection';
+
+/** What the store needs of a session. */
+export type OpenModel = Pick<
+  Session,
+  'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
+>;
+
+/** A run that is drawn, but not on the page yet. */
+export interface Drawing {
+  /** Puts all of it on the page at once: no two panels may ever show different runs. */
+  show(how: { isRenaming: boolean }): void;
+  /** It is not needed any more. */
+  drop(): void;
+}
+
+export interface StoreNeeds {
+  open(model: ModelFile): Promise<OpenModel>;
+  /** Null if a later drawing was quicker; rejects if the sheets cannot be drawn. */
+  draw(run: FinishedRun): Promise<Drawing | null>;
+  /** Hears what goes on in the present work. */
+  follow(event: TimedEvent): void;
+  /** Hears all that jobs tell, also those that were ended. */
+  hear(event: TimedEvent): void;
+  /** Ends all work; whoever waits for it waits for ever. */
+  life: AbortSignal;
+}
+
+/**
+ * How a step goes with others. Names leave the numbers of parts alone, so others need not wait for them;
+ * moves through the history name no parts, so they can follow each other.
+ */
+type Pace = 'name' | 'move' | 'change';
+
+const mayFollow: Readonly<Record<Pace, readonly Pace[]>> = {
+  name: ['name'],
+  move: ['name', 'move'],
+  change: ['name'],
+};
+
+/** A change that is not on the page yet. */
+interface Step {
+  pace: Pace;
+  edits: readonly DocumentEdit[];
+  /** Makes it; false if there is nothing to do. */
+  make(session: OpenModel, work: WorkOptions): Promise<Applied | Refusal | boolean>;
+}
+
+/** What a person asks of a run. */
+interface Asked {
+  model: ModelFile;
+  settings: Settings;
+  fields: FieldValues;
+}
+
+/** Parts of the later result, from 0, that have faces of what edits of the earlier one named. */
+function touched(before: JobResult, after: JobResult, edits: readonly DocumentEdit[]): number[] {
+  const named = new Set(edits.flatMap(partsOf));
+  return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]! + 1)))];
+}
+
+/**
+ * The state of a studio: the model that is chosen, its document with the history, what is being done,
+ * and the run on the page. Commands change it, panels hear of it by topics and keep nothing of it. What
+ * is on the page and the document's cursor agree whenever nothing is being done.
+ */
+export class Store {
+  readonly choice = new Choice();
+  private shownRun: FinishedRun | null = null;
+  private session: OpenModel | null = null;
+  /** The session's, of the run on the page. */
+  private shownPosition = 0;
+  private presentScene: Scene = 'welcome';
+  private selected: readonly number[] = [];
+  private isRunning = false;
+  private steps: Step[] = [];
+  private lastStep: Promise<unknown> = Promise.resolve();
+  private abort = new AbortController();
+  /** Counts runs: one takes over from whatever went on before. */
+  private runs = 0;
+  /** Counts choices: a file that is slower to read than a later choice is dropped. */
+  private choices = 0;
+  private readonly listeners: Partial<Record<Topic, (() => void)[]>> = {};
+
+  constructor(private readonly needs: StoreNeeds) {
+    needs.life.addEventListener('abort', () => this.cancel());
+  }
+
+  /** Calls `listener` after every change. */
+  on(topic: Topic, listener: () => void): void {
+    (this.listeners[topic] ??= []).push(listener);
+  }
+
+  /** What the page shows; null until there is a result. */
+  get run(): FinishedRun | null {
+    return this.shownRun;
+  }
+
+  get work(): Work {
+    if (this.isRunning) return 'running';
+    return this.steps.length > 0 ? 'editing' : 'idle';
+  }
+
+  get scene(): Scene {
+    return this.presentScene;
+  }
+
+  /** Whether parts cannot be changed now, as their numbers are about to. */
+  get busy(): boolean {
+    return this.isRunning || this.steps.some(({ pace }) => pace !== 'name');
+  }
+
+  /** Whether undo and redo would be heard. */
+  get canMove(): boolean {
+    return this.accepts('move');
+  }
+
+  /** What undo would take back; null if there is nothing. */
+  get undoable(): readonly DocumentEdit[] | null {
+    return this.session?.lastStep ?? null;
+  }
+
+  /** What redo would make again; null if there is nothing. */
+  get redoable(): readonly DocumentEdit[] | null {
+    return this.session?.nextStep ?? null;
+  }
+
+  /** Parts that are chosen, from 0, ascending. */
+  get selection(): readonly number[] {
+    return this.selected;
+  }
+
+  /** Names of parts, with those that are on their way to the page. */
+  get names(): readonly PartName[] {
+    // Which names a move leads to is not known before.
+    const isMoving = this.steps.some(({ pace }) => pace === 'move');
+    const edits = isMoving ? [] : this.steps.flatMap((step) => step.edits);
+    return edits.reduce<readonly PartName[]>(
+      (names, edit) => (edit.kind === 'name' ? renamed(names, edit.part - 1, edit.text) : names),
+      this.shownRun?.result.names ?? [],
+    );
+  }
+
+  /** Takes a model; false if a later choice was quicker. A choice that is no model rejects and changes nothing. */
+  async choose(coming: Promise<ModelFile>): Promise<boolean> {
+    const number = ++this.choices;
+    const model = await coming;
+    if (number !== this.choices) return false;
+    this.choice.take(model);
+    this.tell('choice');
+    return true;
+  }
+
+  select(parts: readonly number[]): void {
+    this.selected = [...parts].sort((a, b) => a - b);
+    this.tell('selection');
+  }
+
+  /** Chooses a part, from 0, or no longer. */
+  toggle(part: number): void {
+    if (this.busy || part >= (this.shownRun?.result.parts ?? 0)) return;
+    const others = this.selected.filter((other) => other !== part);
+    this.select(others.length < this.selected.length ? others : [...others, part]);
+  }
+
+  /** Unfolds the chosen model afresh; ends whatever goes on. `begin` gets what its pictures go into. */
+  async unfold(
+    settings: Settings,
+    fields: FieldValues,
+    begin: (pictures: RunPictures) => void = () => undefined,
+  ): Promise<Ending> {
+    const { model } = this.choice;
+    if (!model) return { type: 'nothing' };
+    this.cancel();
+    this.abort = new AbortController();
+    this.isRunning = true;
+    const number = ++this.runs;
+    const pictures = new RunPictures(model.name);
+    this.choice.open();
+    this.presentScene = this.shownRun ? 'result' : 'empty';
+    begin(pictures);
+    this.tell('choice', 'work', 'scene');
+    const ending = await this.runNow({ model, settings, fields }, pictures);
+    if (this.needs.life.aborted) return never();
+    if (number !== this.runs) return { type: 'nothing' };
+    this.isRunning = false;
+    this.endRun(ending);
+    return ending;
+  }
+
+  /** Ends what is being done. */
+  cancel(): void {
+    this.abort.abort();
+  }
+
+  /** Makes edits in one go. While parts change their numbers no other edit is taken. */
+  apply(edits: readonly DocumentEdit[]): Promise<Ending> {
+    if (edits.every((edit) => this.isNamed(edit))) return Promise.resolve({ type: 'nothing' });
+    const pace = edits.every(({ kind }) => kind === 'name') ? 'name' : 'change';
+    return this.step({ pace, edits, make: (session, work) => session.apply(edits, work) });
+  }
+
+  /** Takes the last edit back, also one that is still on its way to the page. */
+  undo(): Promise<Ending> {
+    return this.step({
+      pace: 'move',
+      edits: [],
+      make: (session) => Promise.resolve(session.undo()),
+    });
+  }
+
+  /** Makes the edit again that was taken back last. */
+  redo(): Promise<Ending> {
+    return this.step({
+      pace: 'move',
+      edits: [],
+      make: (session) => Promise.resolve(session.redo()),
+    });
+  }
+
+  /** Whether an edit gives a part the name that it has. */
+  private isNamed(edit: DocumentEdit): boolean {
+    if (edit.kind !== 'name') return false;
+    const name = this.names.find(({ part }) => part === edit.part - 1)?.name ?? '';
+    return name === edit.text;
+  }
+
+  private accepts(pace: Pace): boolean {
+    return !this.isRunning && this.steps.every((step) => mayFollow[pace].includes(step.pace));
+  }
+
+  /** Each run has a session of its own: that of the page stays until there is another run to show. */
+  private async runNow(asked: Asked, pictures: RunPictures): Promise<Ending> {
+    const { model, settings, fields } = asked;
+    const { signal } = this.abort;
+    let [wasRead, isWhole] = [false, true];
+    const onEvent = (event: TimedEvent): void => {
+      wasRead ||= event.type === 'model';
+      if (event.type === 'cancelled') isWhole = false;
+      this.follow(event, signal);
+    };
+    // A whole result is worth more than a part of the next one.
+    const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
+    try {
+      const session = await this.needs.open(model);
+      await session.runWith(settings, work);
+      const { result } = await session.state();
+      const run: FinishedRun = { model, settings, fields, pictures, result };
+      return await this.present(run, { session, isWhole });
+    } catch (error) {
+      if (signal.aborted) return { type: 'cancelled' };
+      if (!(error instanceof JobError)) throw error;
+      return failureOf(error, wasRead);
+    }
+  }
+
+  private follow(event: TimedEvent, signal: AbortSignal): void {
+    if (this.needs.life.aborted) return;
+    this.needs.hear(event);
+    if (signal.aborted) return;
+    if (event.type === 'model' && this.isRunning) {
+      this.choice.accept();
+      this.presentScene = 'pictures';
+      this.tell('choice', 'scene');
+    }
+    this.needs.follow(event);
+  }
+
+  /** A file that cannot be read is not the chosen one any more. */
+  private endRun(ending: Ending): void {
+    if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop();
+    else this.choice.leave();
+    if (this.shownRun) this.presentScene = 'result';
+    else if (this.presentScene === 'empty') this.presentScene = 'welcome';
+    this.tell('choice', 'work', 'scene');
+  }
+
+  private async step(step: Step): Promise<Ending> {
+    const { session } = this;
+    if (!session || !this.accepts(step.pace)) return { type: 'nothing' };
+    if (this.steps.length === 0) this.abort = new AbortController();
+    this.steps.push(step);
+    this.tell('work');
+    try {
+      return await this.stepNow(session, step);
+    } finally {
+      this.steps = this.steps.filter((other) => other !== step);
+      if (this.steps.length === 0) this.comeBack(session);
+      this.tell('work');
+    }
+  }
+
+  private async stepNow(session: OpenModel, step: Step): Promise<Ending> {
+    const { signal } = this.abort;
+    // The next step can be made while this one is drawn.
+    const made = this.lastStep.then(() => this.make(session, step, signal));
+    this.lastStep = made.catch(() => undefined);
+    const { runs } = this;
+    const outcome = await made;
+    if (this.needs.life.aborted) return never();
+    if ('type' in outcome) return outcome;
+    if (!this.shownRun || runs !== this.runs) return { type: 'nothing' };
+    const { state, position } = outcome;
+    const run = { ...this.shownRun, settings: state.wishes.settings, result: state.result };
+    return this.present(run, { session, position, edits: step.edits });
+  }
+
+  private async make(
+    session: OpenModel,
+    step: Step,
+    signal: AbortSignal,
+  ): Promise<Ending | { state: DocumentState; position: number }> {
+    const work = { signal, onEvent: (event: TimedEvent) => this.follow(event, signal) };
+    try {
+      signal.throwIfAborted();
+      const made = await step.make(session, work);
+      if (made === false) return { type: 'nothing' };
+      if (made !== true && !made.ok) return { type: 'refused', refusal: made };
+      return { state: await session.state(work), position: session.position };
+    } catch (error) {
+      if (signal.aborted) return { type: 'cancelled' };
+      if (!(error instanceof JobError)) throw error;
+      return failureOf(error, true);
+    }
+  }
+
+  /** The document goes back to what is on the page; what cannot be shown can be made again. */
+  private comeBack(session: OpenModel): void {
+    while (session.position > this.shownPosition && session.undo());
+    while (session.position < this.shownPosition && session.redo());
+  }
+
+  /** Puts a run on the page once it is drawn, unless later work has taken over by then. */
+  private async present(
+    run: FinishedRun,
+    how: {
+      session: OpenModel;
+      isWhole?: boolean;
+      position?: number;
+      edits?: readonly DocumentEdit[];
+    },
+  ): Promise<Ending> {
+    const { session, isWhole = true, position = 0, edits = [] } = how;
+    const { runs } = this;
+    const drawing = await this.needs.draw(run).catch((error: unknown) => {
+      console.error(error);
+      return 'failed' as const;
+    });
+    if (this.needs.life.aborted) return never();
+    if (drawing === 'failed') return { type: 'undrawn', run };
+    if (drawing && runs !== this.runs) drawing.drop();
+    if (!drawing || runs !== this.runs) return { type: 'nothing' };
+    const before = this.session === session ? this.shownRun : null;
+    const isNaming = before !== null && isRenaming(before.result, run.result);
+    [this.shownRun, this.session, this.shownPosition] = [run, session, position];
+    this.presentScene = 'result';
+    drawing.show({ isRenaming: isNaming });
+    this.tell('scene');
+    if (!isNaming) this.select(before ? touched(before.result, run.result, edits) : []);
+    return { type: 'shown', run, isWhole };
+  }
+
+  private tell(...topics: Topic[]): void {
+    if (this.needs.life.aborted) return;
+    for (const topic of topics) for (const listener of this.listeners[topic] ?? []) listener();
+  }
+}
