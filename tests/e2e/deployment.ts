@@ -53,12 +53,14 @@ export class Deployment {
     const studio = join(this.folder, 'studio');
     const all = await readdir(studio, { recursive: true });
     const names = all.filter((name) => hashed.test(name) && !/icon|samples/.test(name));
-    const renamed = new Map(names.map((name) => [name, name.replace(hashed, '-of-next-build')]));
+    // Other hashes: two chunks may differ in nothing else.
+    const next = (name: string): string => name.replace(hashed, '$&-next');
+    const renamed = new Map(names.map((name) => [name, next(name)]));
     const bases = names.map((name) => name.replace(/.*\//, ''));
     for (const name of all.filter((file) => text.test(file))) {
       let content = await readFile(join(studio, name), 'utf8');
       for (const base of bases) {
-        content = content.replaceAll(base, base.replace(hashed, '-of-next-build'));
+        content = content.replaceAll(base, next(base));
       }
       content = content.replace(/<title>[^<]*/, `<title>${title}`);
       content = content.replace(/"hash":"\w+"/, '"hash":"next"');
