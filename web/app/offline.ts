@@ -62,6 +62,7 @@ export async function keepForOffline(): Promise<void> {
   try {
     const { installing } = await serviceWorker.register(script, { updateViaCache: 'none' });
     await Promise.race([serving(serviceWorker), failure(installing)]);
+    serviceWorker.controller?.postMessage('drop other builds');
     words.textContent = 'Ready offline: from now on it works without a network, too.';
   } catch {
     words.textContent = 'It could not be kept on this device, and needs a network.';

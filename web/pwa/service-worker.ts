@@ -35,8 +35,12 @@ async function keepFiles(): Promise<void> {
   }
 }
 
+/** A page of this build that is complete asks for it: no page of another one is left. */
 async function dropOtherBuilds(): Promise<void> {
   const names = await caches.keys();
+  // One that is coming has its files among them already.
+  const { installing, waiting } = worker.registration;
+  if (installing || waiting) return;
   const others = names.filter((name) => name.startsWith(family) && name !== cacheName);
   await Promise.all(others.map((name) => caches.delete(name)));
 }
@@ -52,19 +56,21 @@ async function answer(request: Request): Promise<Response> {
   const path = request.url.slice(scope.length).replace(/[?#].*/, '');
   const isPage = request.mode === 'navigate' && ['', 'index.html'].includes(path);
   const cache = await caches.open(cacheName);
-  const kept = await cache.match(isPage ? scope : request, {
-    ignoreSearch: true,
-    ignoreVary: true,
-  });
-  return kept ?? fetch(request);
+  const options = { ignoreSearch: true, ignoreVary: true };
+  const kept = await cache.match(isPage ? scope : request, options);
+  // A page of the build before may be on its way still when this one takes over: it is loaded anew
+  // then, but first ends what it has begun.
+  return kept ?? (await caches.match(request, options)) ?? fetch(request);
 }
 
 worker.addEventListener('install', (event) => event.waitUntil(keepFiles()));
 worker.addEventListener('activate', (event) => {
   // The page of a first visit is served from now on, too.
-  event.waitUntil(dropOtherBuilds().then(() => worker.clients.claim()));
+  event.waitUntil(worker.clients.claim());
 });
-worker.addEventListener('message', (event) => event.waitUntil(takeOver()));
+worker.addEventListener('message', (event) => {
+  event.waitUntil(event.data === 'take over' ? takeOver() : dropOtherBuilds());
+});
 worker.addEventListener('fetch', (event) => {
   const { request } = event;
   if (request.method === 'GET' && request.url.startsWith(scope)) {
