@@ -125,6 +125,17 @@ Component kept(const DualGraph& graph, int index, const Panels& panels, int numb
   return component;
 }
 
+/// Pins go with their faces to the numbers of the parts after the edits; those of parts that are
+/// made anew keep theirs.
+void carry_pins(std::span<const int> labels, const EditedNumbers& numbers,
+                std::vector<PinnedPiece>& pins) {
+  for (PinnedPiece& pin : pins) {
+    if (pin.face >= static_cast<int>(labels.size())) continue;
+    const int number = numbers.of_part[labels[pin.face]];
+    if (number != -1) pin.part = number;
+  }
+}
+
 /// The nets of the start after its edits of single nets; names go with their parts.
 EarlierNets edit_nets(JobState& state, const JobStart& start) {
   EarlierNets nets{start.labels, 0, start.nets};
@@ -208,6 +219,7 @@ void start_from_earlier(JobState& state) {
     state.components[i].part_numbers = numbers.of_edit[i];
   }
   state.options.names = carry_names(state.options.names, start.part_edits, numbers);
+  carry_pins(earlier.labels, numbers, state.options.pins);
   std::vector<std::vector<SavedNet>> nets(parts.size());
   for (const SavedNet& net : earlier.nets) {
     if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();

@@ -52,6 +52,9 @@ std::uint64_t key_of(const Region& region) {
 /// panels with its neighbours, or is regrouped with them (`PartTrees`); if that does not help it is
 /// cut between its overlaps. What evolution does not solve, and what folds in no way where it must,
 /// is split with what was learned, recursively [paper, 4.3, 4.4].
+///
+/// Longer than other files: the ways from one attempt to the next are one state machine, which is
+/// easier to follow in one place.
 class SearchStage : public Stage {
  public:
   StageId id() const override { return StageId::kSearch; }

@@ -137,6 +137,27 @@ TEST(JobEdits, LeaveNamesWithTheirParts) {
   }
 }
 
+TEST(JobEdits, KeepPinsOfPartsThatGetOtherNumbers) {
+  const Mesh mesh = torus(12, 9);
+  JobOptions options = kFive;
+  // So that no piece is larger or smaller after the merge.
+  options.size = {Sizing::kHeight, 40};
+  const Outcome earlier = run(mesh, options);
+  expect_sound(earlier);
+  const auto [a, b] = neighbours(*earlier.result);
+  // The last part fills the gap that the merged one leaves.
+  const int last = earlier.result->parts - 1;
+  ASSERT_NE(b, last);
+  const auto piece = std::ranges::find(earlier.result->pieces, last, &Piece::part);
+  const auto index = piece - earlier.result->pieces.begin();
+  options.pins = {
+      {last, piece->net.faces[0], {earlier.result->sheets.placements[index], piece->angle}}};
+  const Outcome later = run_from(mesh, start_of(*earlier.result, {{{a, b}, 1}}), options);
+  expect_sound(later);
+  EXPECT_EQ(later.result->labels[piece->net.faces[0]], b);
+  for (const Notice& notice : later.result->notices) EXPECT_NE(notice.code, "pin-lost");
+}
+
 TEST(JobEdits, SplitAPartAndKeepTheOthersBitByBit) {
   const Mesh mesh = bumpy_sphere(400);
   const Outcome earlier = run(mesh, kFive);

@@ -1,8 +1,7 @@
 /** What an edit asks of the engine. */
-import { startFrom, startInPlace } from '../model/edits.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import { renamed, startFrom, startInPlace } from '../model/edits.js';
 import type { FlapChoice, JobStart, NetEdit, PartEdit, Piece } from '../model/job.js';
-import { renamed } from '../model/edits.js';
 import {
   BadOption,
   changedSettings,
@@ -40,7 +39,7 @@ export function refusal(code: string, text: string, faces?: Iterable<number>): R
 type PartChange = Extract<DocumentEdit, { kind: 'split' | 'merge' | 'again' }>;
 
 /** Whether an edit makes parts of whole parts, so that several can be made in one go. */
-export function isPartChange(edit: DocumentEdit): edit is PartChange {
+function isPartChange(edit: DocumentEdit): edit is PartChange {
   return edit.kind === 'split' || edit.kind === 'merge' || edit.kind === 'again';
 }
 

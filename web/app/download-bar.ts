@@ -1,3 +1,4 @@
+import { exportFormats } from '../export/formats.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
@@ -26,7 +27,7 @@ export class DownloadBar extends Panel {
 
   private async save(button: HTMLButtonElement): Promise<void> {
     const { writer } = this;
-    const format = button.dataset['format'];
+    const format = exportFormats.find((name) => name === button.dataset['format']);
     if (!writer || !format || button.getAttribute('aria-busy') === 'true') return;
     button.setAttribute('aria-busy', 'true');
     try {

@@ -1,3 +1,4 @@
+import type { ExportFormat } from '../export/formats.js';
 import type { Notice } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { startModuleWorker } from '../browser/module-worker.js';
@@ -31,7 +32,7 @@ export class ResultWriter {
   }
 
   /** All sheets in a format: pdf, svg, fold or glb. */
-  file(format: string): Promise<ExportedFile> {
+  file(format: ExportFormat): Promise<ExportedFile> {
     return this.order({ type: 'file', format, options: this.options });
   }
 

@@ -1,5 +1,6 @@
 /** Entry of the worker that writes a result: the sheets for the screen, and files to keep. */
 import { buffersOf } from '../core/transfer.js';
+import type { ExportFormat } from '../export/formats.js';
 import { preparePrint, type Print } from '../export/print.js';
 import { writeSvg } from '../export/svg.js';
 import type { JobResult, Notice } from '../model/job.js';
@@ -27,7 +28,7 @@ export type WriterOrder = { options: PrintOptions } & (
   | /** One sheet as SVG, counted from 0. Answered by its text. */
     { type: 'sheet'; sheet: number }
     /** All sheets in a format: pdf, svg, fold or glb. Answered by an `ExportedFile`. */
-  | { type: 'file'; format: string }
+  | { type: 'file'; format: ExportFormat }
   /** What a person should know of the sheets. Answered by a list of `Notice`. */
   | { type: 'notices' }
 );

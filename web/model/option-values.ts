@@ -1,5 +1,5 @@
 /** Parsers for the values of options. A parser throws `BadValue` with what it would have taken. */
-import { paperSizes, type PaperSize } from './paper.js';
+import { leastSide, mostSide, paperCalled, paperSizes, type PaperSize } from './paper.js';
 
 export type Parser<Value> = (text: string) => Value;
 
@@ -74,17 +74,10 @@ export function dashes(text: string): number[] {
   throw new BadValue('is neither solid nor lengths of dashes and gaps in turn, from 0.05 to 50');
 }
 
-// Below, no sheet has room beside a margin; above, no printer or cutter takes it.
-const [leastSide, mostSide] = [20, 5000];
-
 /** A named paper, or width x height in mm; comes back portrait. */
 export function paper(text: string): PaperSize {
-  const named = paperSizes.find(({ name }) => name.toLowerCase() === text.toLowerCase());
-  if (named) return named;
-  const sides = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/.exec(text)?.slice(1).map(Number);
-  if (sides?.every((side) => side >= leastSide && side <= mostSide)) {
-    return { name: text, width: Math.min(...sides), height: Math.max(...sides) };
-  }
+  const found = paperCalled(text);
+  if (found) return found;
   const names = paperSizes.map(({ name }) => name).join(', ');
   throw new BadValue(`is neither ${names} nor WxH with ${leastSide} to ${mostSide} mm each`);
 }

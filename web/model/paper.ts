@@ -18,7 +18,7 @@ export const paperSizes: readonly PaperSize[] = [
 ];
 
 /** Sides of a sheet in mm. Below, no sheet has room beside a margin; above, no printer or cutter takes it. */
-const [leastSide, mostSide] = [20, 5000];
+export const [leastSide, mostSide] = [20, 5000] as const;
 
 /** The paper with this name, in upper or lower case, or of WxH mm, which comes back portrait; null if it is neither. */
 export function paperCalled(text: string): PaperSize | null {
