@@ -10,8 +10,18 @@ if(EMSCRIPTEN)
 endif()
 
 option(FOLDWRIGHT_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(FOLDWRIGHT_FUZZ "Build libFuzzer's programs, with the same sanitizers" OFF)
+if(FOLDWRIGHT_FUZZ)
+  set(FOLDWRIGHT_SANITIZE ON)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # tells libFuzzer which branches were taken
+endif()
 if(FOLDWRIGHT_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(FOLDWRIGHT_FUZZ)
+    # What the address sanitizer finds as well, at a quarter of the time that compiling takes.
+    list(APPEND sanitizers -fno-sanitize=null,alignment,vptr,object-size)
+    list(APPEND sanitizers "-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/fuzz-ignorelist.txt")
+  endif()
   add_compile_options(${sanitizers})
   add_link_options(${sanitizers})
 endif()

@@ -18,6 +18,7 @@ const groups = {
     // The tests alone: linking the benchmarks as WASM would take longer than running all tests.
     buildEngine('wasm', ['foldwright_tests']);
     buildEngine('native', ['foldwright_tests']);
+    buildEngine('fuzz', ['fuzzers']);
   },
   lint: () => node('scripts/lint.mjs'),
   'engine as WASM under node': () => {
@@ -31,6 +32,7 @@ const groups = {
     return runTogether(process.execPath, program, Array.from({ length: count }, shard));
   },
   'engine, native': () => run('ctest', ['--preset', 'native'], options),
+  'engine under a fuzzer, for a short run': () => run('ctest', ['--preset', 'fuzz'], options),
   'web and browser': () => node('node_modules/vitest/vitest.mjs', 'run'),
 };
 

@@ -14,6 +14,10 @@ struct Leg {
 /// The leg from flat to the model.
 Leg straight_leg(const DualGraph& graph);
 
+/// Work that a certificate or a search within another is given at once, in about microseconds: so
+/// little that whoever steps it can stop in between, so much that looking costs nothing.
+inline constexpr std::int64_t kStepSlice = 1000;
+
 /// Proves that no two faces of a net meet anywhere along a leg, or finds where some do.
 ///
 /// Definition: each face counts eroded, as `Foldable` has it; pairs in one panel or in panels

@@ -48,7 +48,7 @@ ShapeTrees::State ShapeTrees::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
     const std::int64_t before = looks_;
     if (certificate_) {
-      const std::int64_t slice = std::min<std::int64_t>(work, 1000);
+      const std::int64_t slice = std::min(work, kStepSlice);
       if (certificate_->step(slice) != Certificate::State::kRunning) certify_next();
       work -= slice;
     } else if (shortcuts_left_ > 0) {

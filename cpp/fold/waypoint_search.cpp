@@ -55,7 +55,7 @@ WaypointSearch::State WaypointSearch::step(std::int64_t work) {
       1 + kLookCost * static_cast<std::int64_t>(samples_.size()) * foldable_->graph->panel_count();
   while (state_ == State::kRunning && work > 0) {
     if (certificate_) {
-      const std::int64_t slice = std::min<std::int64_t>(work, 1000);
+      const std::int64_t slice = std::min(work, kStepSlice);
       if (certificate_->step(slice) != Certificate::State::kRunning) certify();
       work -= slice;
       continue;

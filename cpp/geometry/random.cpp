@@ -52,10 +52,10 @@ double Random::normal() {
   }
 }
 
-std::uint64_t task_seed(std::uint64_t seed, std::uint64_t stage, std::uint64_t part,
-                        std::uint64_t index) {
+std::uint64_t task_seed(std::uint64_t seed, SeedTag tag, std::uint64_t part, std::uint64_t index) {
   std::uint64_t state = seed;
-  for (const std::uint64_t word : {stage, part, index}) state = splitmix(state) ^ word;
+  for (const std::uint64_t word : {static_cast<std::uint64_t>(tag), part, index})
+    state = splitmix(state) ^ word;
   return splitmix(state);
 }
 

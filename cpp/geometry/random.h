@@ -25,9 +25,19 @@ class Random {
   std::uint64_t state_[4];
 };
 
-/// Seed of a task: a hash of the job's seed and what names the task (stage, part, index).
+/// What a generator is for: tells seeds apart that come from one job's seed.
+enum class SeedTag : std::uint64_t {
+  kComponent = 0,   ///< all learning about a component
+  kLearning = 1,    ///< an unfolding within it
+  kClustering = 2,  ///< a restart of k-means
+  kSearch = 3,      ///< an attempt at a net, and the region that it is for
+  kExchange = 4,    ///< an exchange of borders
+  kPlanning = 5,    ///< a motion that is not straight
+  kAnnealing = 6    ///< a net that is made better to craft
+};
+
+/// Seed of a task: a hash of the job's seed and what names the task (what it is for, part, index).
 /// Tasks never share a generator, so their order and the number of workers do not matter.
-std::uint64_t task_seed(std::uint64_t seed, std::uint64_t stage, std::uint64_t part,
-                        std::uint64_t index);
+std::uint64_t task_seed(std::uint64_t seed, SeedTag tag, std::uint64_t part, std::uint64_t index);
 
 }  // namespace foldwright

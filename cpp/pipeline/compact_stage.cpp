@@ -8,8 +8,6 @@
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kCompact = 6;  // names the annealing of a net in task_seed
-
 // Rounds over the nets: what a net gains at its border the others see in the next one.
 constexpr int kRounds = 2;
 
@@ -72,7 +70,7 @@ class CompactStage : public Stage {
     std::vector<int> panels;
     for (const int panel : net.region.panels) panels.push_back(component.panels[panel]);
     const std::uint64_t seed =
-        task_seed(state.options.seed, kCompact, static_cast<std::uint64_t>(n),
+        task_seed(state.options.seed, SeedTag::kAnnealing, static_cast<std::uint64_t>(n),
                   static_cast<std::uint64_t>(round_ + 1));
     // A net that folds over waypoints only stays as it is: its motion is known for this tree alone.
     // So does one that an edit leaves alone.

@@ -6,7 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "mesh/connectivity.h"
 #include "mesh/input_error.h"
+#include "pipeline/counted.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/saved_net.h"
 
@@ -17,10 +19,6 @@ using Panels = std::vector<int>;
 
 InputError bad_edit(const std::string& sentence) { return InputError("bad-edit", sentence); }
 
-std::string counted(int count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 /// "part 3", "parts 1 and 2", "parts 1, 2 and 5"
 std::string names_of(const std::vector<int>& parts) {
   std::string names = parts.size() == 1 ? "part " : "parts ";
@@ -29,10 +27,6 @@ std::string names_of(const std::vector<int>& parts) {
     names += std::to_string(parts[i] + 1);
   }
   return names;
-}
-
-bool is_connected(const DualGraph& graph) {
-  return part_count(part_pieces(graph, Labels(graph.panel_count(), 0))) == 1;
 }
 
 /// The panels of each part of the earlier result.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/connectivity.h"
 #include "mesh/nearest_face.h"
 #include "mesh/simplify.h"
 
@@ -19,10 +20,6 @@ std::vector<int> all_panels(const DualGraph& graph) {
   std::vector<int> panels(graph.panel_count());
   std::iota(panels.begin(), panels.end(), 0);
   return panels;
-}
-
-bool is_connected(const DualGraph& graph) {
-  return part_count(part_pieces(graph, Labels(graph.panel_count(), 0))) == 1;
 }
 
 /// Per panel of the component the panel of the proxy nearest to its largest face.
@@ -70,7 +67,8 @@ Learning::Learning(const JobState& state, int component, TaskQueue& queue)
   LearnOptions options;
   options.heuristic = state.options.heuristic;
   options.runs = state.options.runs;
-  options.seed = task_seed(state.options.seed, 0, static_cast<std::uint64_t>(component), 0);
+  options.seed =
+      task_seed(state.options.seed, SeedTag::kComponent, static_cast<std::uint64_t>(component), 0);
   for (int run = 0; run < options.runs; run += kRunsPerTask) {
     const int last = std::min(run + kRunsPerTask, options.runs);
     last_task_ = queue.add(learned_.surface, learned_.panels, LearnTask{options, run, last});

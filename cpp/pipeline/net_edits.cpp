@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "mesh/connectivity.h"
 #include "mesh/input_error.h"
 #include "pipeline/edits.h"
 #include "pipeline/net_split.h"
@@ -328,10 +329,7 @@ class NetEditor {
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
       if (labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
-    const DualGraph graph = restrict_to(graph_, panels);
-    if (part_count(part_pieces(graph, Labels(graph.panel_count(), 0))) != 1) {
-      throw InputError(code, sentence);
-    }
+    if (!is_connected(restrict_to(graph_, panels))) throw InputError(code, sentence);
   }
 
   /// Gives parts their numbers after a merge, and returns that of what is merged.

@@ -9,8 +9,6 @@
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kExchange = 4;  // names the border exchange in task_seed
-
 // Exchanges of one part: the first gives it a net, another one, if need be, a net that folds.
 constexpr int kMostExchanges = 3;
 
@@ -132,8 +130,9 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
     task.options.most_moves = kWorkOfLarge / static_cast<std::int64_t>(panels);
   }
   task.options.clearance = for_motion ? state.options.clearance : 0;
-  task.options.seed = task_seed(state.options.seed, kExchange, static_cast<std::uint64_t>(part),
-                                static_cast<std::uint64_t>(exchanges_[part]++));
+  task.options.seed =
+      task_seed(state.options.seed, SeedTag::kExchange, static_cast<std::uint64_t>(part),
+                static_cast<std::uint64_t>(exchanges_[part]++));
   queue.add(state.surface, state.components[component].panels, std::move(task));
   exchange_ = part;
   return true;

@@ -8,16 +8,13 @@
 #include "mesh/read_model.h"
 #include "mesh/simplify.h"
 #include "mesh/turn_up.h"
+#include "pipeline/counted.h"
 #include "pipeline/edits.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
 
 namespace foldwright {
 namespace {
-
-std::string counted(int count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 Axis up_of(const PolygonSoup& soup, Up asked) {
   switch (asked) {

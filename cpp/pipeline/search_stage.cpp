@@ -16,9 +16,6 @@
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kSearch = 3;  // names the net search in task_seed
-constexpr std::uint64_t kPlan = 5;    // and the planning of a motion
-
 // Temperatures of the attempts in turn: 2 solves nearly all, rare tight regions want less.
 constexpr std::array<double, 4> kTemperatures = {2, 1, 3, 0.5};
 
@@ -43,7 +40,7 @@ struct Search {
 std::uint64_t key_of(const Region& region) {
   std::uint64_t key = static_cast<std::uint64_t>(region.part);
   for (const int panel : region.panels) {
-    key = task_seed(key, kSearch, static_cast<std::uint64_t>(panel), 0);
+    key = task_seed(key, SeedTag::kSearch, static_cast<std::uint64_t>(panel), 0);
   }
   return key;
 }
@@ -175,7 +172,7 @@ class SearchStage : public Stage {
   }
 
   void queue_attempt(const JobState& state, TaskQueue& queue, Search search) {
-    const std::uint64_t seed = task_seed(state.options.seed, kSearch, search.key,
+    const std::uint64_t seed = task_seed(state.options.seed, SeedTag::kSearch, search.key,
                                          static_cast<std::uint64_t>(search.attempt));
     if (state.options.solver == Solver::kGenetic) {
       queue_work(state, queue, std::move(search), GeneticTask{{.seed = seed}});
@@ -247,7 +244,7 @@ class SearchStage : public Stage {
 
   /// Looks for a motion of a net that does not fold straight.
   void plan(const JobState& state, TaskQueue& queue, Search search) {
-    const std::uint64_t seed = task_seed(state.options.seed, kPlan, search.key, 0);
+    const std::uint64_t seed = task_seed(state.options.seed, SeedTag::kPlanning, search.key, 0);
     PlanTask task{search.best.folds, state.options.clearance, seed};
     queue_work(state, queue, std::move(search), std::move(task));
   }

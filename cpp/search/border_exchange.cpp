@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "fold/certificate.h"
+#include "mesh/connectivity.h"
 #include "search/hyperbolic.h"
 
 namespace foldwright {
@@ -50,7 +52,7 @@ BorderExchange::State BorderExchange::step(std::int64_t work) {
       if (state_ == State::kRunning) begin_step();
       continue;
     }
-    const std::int64_t slice = std::min<std::int64_t>(work, 1000);
+    const std::int64_t slice = std::min(work, kStepSlice);
     search->step(slice);
     work -= slice;
   }
@@ -121,32 +123,6 @@ std::vector<double> BorderExchange::weigh_panels() const {
   return weights;
 }
 
-/// Whether the panel's part is still connected, and not empty, without it.
-bool BorderExchange::stays_connected(int panel) const {
-  const int part = labels_[panel];
-  std::vector<int> stack;
-  std::vector<char> seen(graph_->panel_count(), 0);
-  seen[panel] = 1;
-  std::size_t size = 0;
-  for (const int label : labels_) size += label == part;
-  for (int p = 0; p < graph_->panel_count() && stack.empty(); ++p) {
-    if (p != panel && labels_[p] == part) stack.push_back(p), seen[p] = 1;
-  }
-  std::size_t reached = stack.size();
-  while (!stack.empty()) {
-    const int from = stack.back();
-    stack.pop_back();
-    for (const int h : graph_->hinges_of(from)) {
-      const int next = graph_->hinges[h].other(from);
-      if (seen[next] || labels_[next] != part) continue;
-      seen[next] = 1;
-      ++reached;
-      stack.push_back(next);
-    }
-  }
-  return reached > 0 && reached + 1 == size;
-}
-
 /// Draws a border panel by weight: one of the part's own to give, or a neighbour's to take.
 BorderExchange::Exchange BorderExchange::choose() {
   std::set<std::pair<int, int>> candidates;  // panel, part it would go to
@@ -169,7 +145,7 @@ BorderExchange::Exchange BorderExchange::choose() {
       left -= anywhere ? 1 : weights_[chosen->first];
       if (left < 0) break;
     }
-    if (stays_connected(chosen->first)) return {chosen->first, chosen->second};
+    if (stays_connected(*graph_, labels_, chosen->first)) return {chosen->first, chosen->second};
     candidates.erase(chosen);
   }
   return {};

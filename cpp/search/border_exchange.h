@@ -76,7 +76,6 @@ class BorderExchange {
   std::vector<double> weigh_panels() const;
   int known_shortfall(int part) const;
   Exchange choose();
-  bool stays_connected(int panel) const;
   void begin_step();
   void end_step();
 

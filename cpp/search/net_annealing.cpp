@@ -7,15 +7,6 @@
 namespace foldwright {
 namespace {
 
-// After so many accepted moves the layout is built anew, before rounding can pile up.
-constexpr std::int64_t kRefreshEvery = 2000;
-
-// Shares of the folding that are looked at from the start.
-constexpr std::array<double, 5> kFirstLayers = {0.3, 0.6, 0.8, 0.9, 0.97};
-
-// As in the tree search: what is free of collisions in the layers can be told apart in between.
-constexpr double kSearchClearance = 0.8;
-
 // The whole motion is certified this often, the last time when the work is done.
 constexpr int kChecks = 3;
 
@@ -39,12 +30,9 @@ NetAnnealing::NetAnnealing(const DualGraph& graph, FoldTree net, std::unique_ptr
       random_(options.seed),
       best_(std::move(net)),
       next_check_(options.work / kChecks) {
-  if (options_.clearance > 0) {
-    foldable_ = make_foldable(graph, kSearchClearance * options_.clearance);
-    exact_ = make_foldable(graph, options_.clearance);
-    layers_.assign(kFirstLayers.begin(), kFirstLayers.end());
-  }
+  if (options_.clearance > 0) layers_.emplace(graph, options_.clearance);
   restart_from_best();
+  if (layers_) layers_->add_first(*layout_);
   first_cost_ = best_cost_ = cost_->cost();
   if (graph.hinge_count() + 1 == graph.panel_count() || options_.work <= 0) state_ = State::kDone;
 }
@@ -52,7 +40,7 @@ NetAnnealing::NetAnnealing(const DualGraph& graph, FoldTree net, std::unique_ptr
 void NetAnnealing::restart_from_best() {
   mending_ = 0;
   layout_.emplace(*graph_, best_);
-  for (const double share : layers_) layout_->add_layer(*foldable_, share);
+  if (layers_) layers_->lay(*layout_);
   cost_->lay(best_, layout_->flat().places());
 }
 
@@ -63,10 +51,10 @@ void NetAnnealing::refresh() {
 
 NetAnnealing::State NetAnnealing::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
-    if (certificate_) {
-      const std::int64_t slice = std::min<std::int64_t>(work, 1000);
-      if (certificate_->step(slice) != Certificate::State::kRunning) end_check();
-      work -= slice;  // not counted as spent: how a check is sliced must not matter
+    if (layers_ && layers_->is_certifying()) {
+      // Not counted as spent: how a check is sliced must not matter.
+      work -= layers_->certify(work);
+      if (layers_->is_decided()) end_check();
       continue;
     }
     std::int64_t done = 0;
@@ -127,7 +115,7 @@ std::int64_t NetAnnealing::move() {
   layout_->accept();
   cost_->accept();
   if (++accepted_ % kRefreshEvery == 0) refresh();
-  if (layers_.empty() && now < best_cost_) {
+  if (!layers_ && now < best_cost_) {
     best_cost_ = now;
     best_ = layout_->folds();
   }
@@ -162,16 +150,16 @@ void NetAnnealing::begin_check() {
   refresh();
   if (layout_->conflict_count() > 0) {
     restart_from_best();  // rounding alone: too rare to be mended
-  } else if (!exact_) {
+  } else if (!layers_) {
     end_check();
   } else {
-    certificate_.emplace(*exact_, layout_->folds(), straight_leg(*graph_));
+    layers_->begin_certificate(layout_->folds());
   }
 }
 
 void NetAnnealing::end_check() {
-  const bool passed = !certificate_ || certificate_->state() == Certificate::State::kCertified;
-  if (passed) {
+  const auto counterexamples = layers_ ? layers_->take_counterexamples() : std::nullopt;
+  if (!counterexamples) {
     if (cost_->cost() < best_cost_) {
       best_cost_ = cost_->cost();
       best_ = layout_->folds();
@@ -179,17 +167,9 @@ void NetAnnealing::end_check() {
     next_check_ += options_.work / kChecks;
     mending_ = 0;
     if (spent_ >= options_.work) state_ = State::kDone;
-  } else {
-    bool added = false;
-    for (const double share : certificate_->counterexamples()) {
-      if (std::ranges::find(layers_, share) != layers_.end()) continue;
-      layers_.push_back(share);
-      layout_->add_layer(*foldable_, share);
-      added = true;
-    }
-    if (!added) restart_from_best();
+  } else if (!layers_->add(*counterexamples, *layout_)) {
+    restart_from_best();
   }
-  certificate_.reset();
 }
 
 }  // namespace foldwright

@@ -3,8 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "fold/certificate.h"
-#include "search/moving_layout.h"
+#include "search/certified_layers.h"
 #include "unfold/tree_cost.h"
 
 namespace foldwright {
@@ -63,10 +62,8 @@ class NetAnnealing {
   AnnealingOptions options_;
   std::unique_ptr<TreeCost> cost_;
   Random random_;
-  std::optional<Foldable> foldable_, exact_;
+  std::optional<CertifiedLayers> layers_;  ///< with a clearance
   std::optional<MovingLayout> layout_;
-  std::vector<double> layers_;
-  std::optional<Certificate> certificate_;
   FoldTree best_;
   double best_cost_ = 0, first_cost_ = 0;
   std::int64_t spent_ = 0, next_check_ = 0, mending_ = 0;

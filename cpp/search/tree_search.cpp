@@ -9,19 +9,9 @@
 namespace foldwright {
 namespace {
 
-// After so many accepted moves the layout is built anew, before rounding can pile up.
-constexpr std::int64_t kRefreshEvery = 2000;
-
-// Shares of the folding that are looked at first: most collisions come late.
-constexpr std::array<double, 5> kFirstLayers = {0.3, 0.6, 0.8, 0.9, 0.97};
-
 // A pair counts once in each layer where it collides, so a step over a ridge costs more: of whole
 // models of 2000 faces twice as many are solved from one seed as without this factor.
 constexpr double kLayeredTemperature = 1.7;
-
-// The layers keep faces a little farther apart than the certificate asks, so that what is free of
-// collisions there can be told apart in between.
-constexpr double kSearchClearance = 0.8;
 
 // Panels that a swap may touch on average before it costs patience: twice what swaps touch where
 // panels have one face each.
@@ -32,10 +22,7 @@ std::int64_t usual_touch(int panels) { return 200 + panels / 4; }
 TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options,
                        const FoldTree& initial)
     : graph_(&graph), options_(options), weights_(mesh, graph), random_(options.seed) {
-  if (options_.clearance > 0) {
-    foldable_ = make_foldable(graph, kSearchClearance * options_.clearance);
-    exact_ = make_foldable(graph, options_.clearance);
-  }
+  if (options_.clearance > 0) layers_.emplace(graph, options_.clearance);
   if (initial.empty()) return;
   starts_done_ = options_.starts;
   consider(initial);
@@ -43,10 +30,9 @@ TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearc
 
 TreeSearch::State TreeSearch::step(std::int64_t work) {
   while (state_ == State::kRunning && work > 0) {
-    if (certificate_) {
-      const std::int64_t slice = std::min<std::int64_t>(work, 1000);
-      if (certificate_->step(slice) != Certificate::State::kRunning) judge_certificate();
-      work -= slice;
+    if (layers_ && layers_->is_certifying()) {
+      work -= layers_->certify(work);
+      if (layers_->is_decided()) judge_certificate();
     } else if (starts_done_ < options_.starts && best_overlaps_ != 0) {
       try_start();
       work -= graph_->panel_count();
@@ -79,7 +65,7 @@ void TreeSearch::consider(FoldTree folds) {
   if (best_overlaps_ != -1 && overlaps >= best_overlaps_) return;
   best_overlaps_ = overlaps;
   best_ = std::move(folds);
-  if (overlaps <= options_.good_enough && (!foldable_ || overlaps > 0)) state_ = State::kFound;
+  if (overlaps <= options_.good_enough && (!layers_ || overlaps > 0)) state_ = State::kFound;
 }
 
 /// A fold on the path between a random pair in conflict, more likely near its ends: cutting there
@@ -106,7 +92,8 @@ std::int64_t TreeSearch::move() {
   const int join = joins[random_.below(static_cast<int>(joins.size()))];
   const int old = layout_->crossing_conflicts();
   // 1 - u lies in (0, 1], so the logarithm is finite.
-  const double temperature = options_.temperature * (layers_.empty() ? 1 : kLayeredTemperature);
+  const bool has_layers = layers_ && !layers_->empty();
+  const double temperature = options_.temperature * (has_layers ? kLayeredTemperature : 1);
   const double limit = old - temperature * std::log(1 - random_.uniform());
   const int now = layout_->try_join(join, limit);
   const std::int64_t touched = layout_->trial_cost();
@@ -142,51 +129,44 @@ void TreeSearch::note_best() {
 
 /// The tree has no conflict in the layers there are.
 void TreeSearch::finish_or_fold() {
-  if (!foldable_) {
+  if (!layers_) {
     state_ = State::kFound;
-  } else if (layers_.empty()) {
-    add_layers(kFirstLayers);
+  } else if (layers_->empty()) {
+    layers_->add_first(*layout_);
+    look_at_layers();
   } else {
-    certificate_.emplace(*exact_, best_, straight_leg(*graph_));
+    layers_->begin_certificate(best_);
   }
 }
 
 void TreeSearch::judge_certificate() {
-  const bool certified = certificate_->state() == Certificate::State::kCertified;
-  const std::vector<double> counterexamples = certificate_->counterexamples();
-  certificate_.reset();
-  if (certified) {
+  const auto counterexamples = layers_->take_counterexamples();
+  if (!counterexamples) {
     state_ = State::kFound;
-  } else if (!add_layers(counterexamples)) {
-    state_ = State::kGaveUp;
+    return;
   }
+  const bool added = layers_->add(*counterexamples, *layout_);
+  look_at_layers();
+  if (!added) state_ = State::kGaveUp;
 }
 
-/// Looks at more shares of the folding; false when it did at all of them already.
-bool TreeSearch::add_layers(std::span<const double> shares) {
-  bool added = false;
-  for (const double share : shares) {
-    if (std::find(layers_.begin(), layers_.end(), share) != layers_.end()) continue;
-    layers_.push_back(share);
-    layout_->add_layer(*foldable_, share);
-    added = true;
-  }
+/// Counts anew once there may be more layers.
+void TreeSearch::look_at_layers() {
   best_collisions_ = layout_->collision_count();
   least_conflicts_ = -1;
   note_progress();
-  return added;
 }
 
 int TreeSearch::shortfall() const {
   // A net whose motion is not certified yet is one short at least.
   return state_ == State::kFound && options_.good_enough == 0
              ? 0
-             : std::max(best_overlaps_ + best_collisions_, foldable_ ? 1 : 0);
+             : std::max(best_overlaps_ + best_collisions_, layers_ ? 1 : 0);
 }
 
 std::vector<std::array<int, 2>> TreeSearch::conflicts() const {
   MovingLayout layout(*graph_, best_);
-  for (const double share : layers_) layout.add_layer(*foldable_, share);
+  if (layers_) layers_->lay(layout);
   return layout.conflicts();
 }
 

@@ -3,9 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "fold/certificate.h"
 #include "geometry/random.h"
-#include "search/moving_layout.h"
+#include "search/certified_layers.h"
 #include "unfold/heuristics.h"
 
 namespace foldwright {
@@ -81,18 +80,15 @@ class TreeSearch {
   void note_best();
   void finish_or_fold();
   void judge_certificate();
-  bool add_layers(std::span<const double> shares);
+  void look_at_layers();
 
   const DualGraph* graph_;
   TreeSearchOptions options_;
   HeuristicWeights weights_;
   Random random_;
-  std::optional<Foldable> foldable_;  ///< for the layers
-  std::optional<Foldable> exact_;     ///< for the certificate
+  std::optional<CertifiedLayers> layers_;  ///< with a clearance
   int starts_done_ = 0;
   std::optional<MovingLayout> layout_;
-  std::optional<Certificate> certificate_;  ///< of the tree as it is
-  std::vector<double> layers_;              ///< shares of the folding that are looked at
   FoldTree best_;
   int best_overlaps_ = -1;
   int best_collisions_ = 0;

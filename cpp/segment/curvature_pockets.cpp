@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/connectivity.h"
 #include "mesh/vertex_turn.h"
 
 namespace foldwright {
@@ -175,29 +176,6 @@ std::vector<int> Pockets::around(int panel) const {
     for (const int v : neighbours(corner)) vertices.push_back(v);
   }
   return vertices;
-}
-
-/// Whether the panel's part is still connected, and not empty, without it: whether its neighbours
-/// in the part reach each other.
-bool stays_connected(const DualGraph& graph, const Labels& labels, int panel) {
-  std::vector<int> targets;
-  for (const int h : graph.hinges_of(panel)) {
-    const int next = graph.hinges[h].other(panel);
-    if (labels[next] == labels[panel]) targets.push_back(next);
-  }
-  if (targets.empty()) return false;
-  std::vector<char> seen(graph.panel_count(), 0);
-  seen[panel] = seen[targets[0]] = 1;
-  std::vector<int> queue = {targets[0]};
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    for (const int h : graph.hinges_of(queue[head])) {
-      const int next = graph.hinges[h].other(queue[head]);
-      if (seen[next] || labels[next] != labels[panel]) continue;
-      seen[next] = 1;
-      queue.push_back(next);
-    }
-  }
-  return std::all_of(targets.begin(), targets.end(), [&](int target) { return seen[target]; });
 }
 
 /// A panel and the part that it would go to.

@@ -7,8 +7,6 @@
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kStage = 1;  // names the learning in task_seed
-
 int block_count(int size) { return (size + kSourceBlock - 1) / kSourceBlock; }
 
 /// Adds one to the counters of the set bits: a ripple-carry adder over the planes.
@@ -73,7 +71,7 @@ FoldabilityLearner::FoldabilityLearner(const Mesh& mesh, const DualGraph& graph,
       last_run_(last_run) {
   assert(0 <= first_run && first_run <= last_run && last_run <= 65535);
   // All directions are drawn from the start, so that a run's does not depend on the split.
-  Random random(task_seed(options.seed, kStage, 0, 0));
+  Random random(task_seed(options.seed, SeedTag::kLearning, 0, 0));
   directions_ = make_directions(mesh, options.directions, last_run, random);
   int bits = 1;
   while ((last_run - first_run) >> bits != 0) ++bits;
@@ -84,7 +82,8 @@ FoldabilityLearner::FoldabilityLearner(const Mesh& mesh, const DualGraph& graph,
 
 bool FoldabilityLearner::step() {
   if (run_ == last_run_) return false;
-  Random random(task_seed(options_.seed, kStage, 0, 1 + static_cast<std::uint64_t>(run_)));
+  Random random(
+      task_seed(options_.seed, SeedTag::kLearning, 0, 1 + static_cast<std::uint64_t>(run_)));
   const FoldTree folds =
       heuristic_tree(weights_, *graph_, options_.heuristic, directions_[run_], run_, random);
   const RootedTree tree = hang_tree(*graph_, folds);

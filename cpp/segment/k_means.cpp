@@ -8,8 +8,6 @@
 namespace foldwright {
 namespace {
 
-constexpr std::uint64_t kStage = 2;  // names k-means in task_seed
-
 struct Clustering {
   std::vector<int> labels;
   Eigen::VectorXd distances;  ///< squared, of each point to its centre
@@ -93,7 +91,8 @@ std::vector<int> k_means(const Eigen::MatrixXd& points, int k, const KMeansOptio
   Clustering best;
   double least = std::numeric_limits<double>::infinity();
   for (int restart = 0; restart < options.restarts; ++restart) {
-    Random random(task_seed(options.seed, kStage, 0, static_cast<std::uint64_t>(restart)));
+    Random random(
+        task_seed(options.seed, SeedTag::kClustering, 0, static_cast<std::uint64_t>(restart)));
     Clustering clustering = lloyd(points, k, options.iterations, random);
     const double factor = options.factor ? options.factor(clustering.labels) : 1;
     const double cost = clustering.inertia() * factor;

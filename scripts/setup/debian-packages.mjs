@@ -10,8 +10,12 @@ const engine = [
   ...['libeigen3-dev', 'libspectra-dev', 'libgtest-dev', 'libbenchmark-dev'],
 ];
 const emscriptenNeeds = ['clang-19', 'lld-19', 'llvm-19'];
-// A browser for the end-to-end tests, tools that judge the written PDF and SVG files, and the formatter of C++.
-const testing = ['chromium', 'poppler-utils', 'qpdf', 'librsvg2-bin', 'clang-format', 'clang-tidy'];
+// A browser for the end-to-end tests, tools that judge the written PDF and SVG files, the formatter of C++, and libFuzzer
+// with the compiler that it belongs to.
+const testing = [
+  ...['chromium', 'poppler-utils', 'qpdf', 'librsvg2-bin', 'clang-format', 'clang-tidy'],
+  ...['clang-19', 'libclang-rt-19-dev'],
+];
 
 /** @param withBrowser also what only the tests need */
 export function debianPackages({ withBrowser }) {
@@ -59,7 +63,7 @@ function requireTools({ withBrowser }) {
   const programs = [
     'cmake',
     'ninja',
-    ...(withBrowser ? ['clang-format', 'qpdf', 'pdftocairo', 'chromium'] : []),
+    ...(withBrowser ? ['clang-format', 'clang++-19', 'qpdf', 'pdftocairo', 'chromium'] : []),
   ];
   const missing = programs.filter((name) => !isOnPath(name));
   if (!emscriptenOnPath()) missing.push('em++ (Emscripten 3.1.60 or newer)');

@@ -1,6 +1,6 @@
 // The studio in Chromium with models of life: prints how long a dropped file takes to become nets, the tasks that keep
-// the page's own thread for more than 50 ms meanwhile, how soon a cancel is answered in every stage, and how long a frame
-// of the folding takes.
+// the page's own thread for more than 50 ms meanwhile, how soon a cancel is answered in every stage, how long a frame of
+// the folding takes, and how often a run that tells of generation after generation is drawn.
 import { readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -11,7 +11,8 @@ import { serve } from '../../scripts/serve.mjs';
 const path = (name) => fileURLToPath(new URL(`../../${name}`, import.meta.url));
 const load = async (name) => (await runnerImport(path(name))).module;
 const { isBuilt, sharedFolder } = await load('tests/web/command.ts');
-const { cancelAt, stageWords, timeFolding, timeRun } = await load('tests/e2e/page-clock.ts');
+const { cancelAt, drawingsPerSecond, stageWords, timeFolding, timeRun } =
+  await load('tests/e2e/page-clock.ts');
 const { StudioPage } = await load('tests/e2e/studio-page.ts');
 
 /** Faces, and runs of which the shortest counts. */
@@ -25,6 +26,7 @@ const preparation = 3000;
 
 const netsTarget = { faces: 1000, seconds: 3 };
 const cancelTarget = 200;
+const drawingTarget = 10;
 const frameTarget = { faces: 1000, ms: 50 };
 
 /** The page draws itself, so that its frames wait for the pictures. */
@@ -84,6 +86,29 @@ async function measureFolding(address, model) {
   return frames.sort((a, b) => a - b);
 }
 
+/** How often a second the fitness is drawn while the genetic search goes on. */
+async function measureDrawing(address, model) {
+  let rate = 0;
+  const work = async (studio) => {
+    await studio.page.selectOption('#solver', 'genetic');
+    await studio.choose(model.name, model.content);
+    await studio.page.locator('#chart .curve--now').waitFor({ timeout: 60_000 });
+    rate = await drawingsPerSecond(studio);
+    await studio.page.locator('#cancel').click();
+  };
+  await withStudio(address, work);
+  return rate;
+}
+
+function printDrawing(faces, rate) {
+  // A drawing may fall on either end of the time that is looked at.
+  const met = rate > 0 && rate <= drawingTarget + 0.5;
+  console.log(
+    `page: ${faces} faces: generations are drawn ${rate.toFixed(1)} times a second ` +
+      `(<= ${drawingTarget}: ${verdict(met)})`,
+  );
+}
+
 function printFolding(faces, frames) {
   const [median, most] = [0.5, 0.95].map((share) => frames[Math.floor(share * frames.length)]);
   const { ms } = frameTarget;
@@ -125,5 +150,6 @@ for (const { faces, rounds } of sizes) {
   console.log(`page: ${faces} faces: load of the machine ${loadavg()[0].toFixed(1)}`);
   print(faces, await measureRuns(address, model, rounds), await measureCancels(address, model));
   printFolding(faces, await measureFolding(address, model));
+  printDrawing(faces, await measureDrawing(address, model));
 }
 server.close();

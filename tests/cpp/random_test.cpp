@@ -57,7 +57,9 @@ TEST(Random, DrawsNormalNumbers) {
   EXPECT_NEAR(within_one / 100000.0, 0.6827, 0.01);
 }
 
-TEST(TaskSeed, IsPinned) { EXPECT_EQ(task_seed(1, 2, 3, 4), 0xd55ccd4aeb3ccafb); }
+TEST(TaskSeed, IsPinned) {
+  EXPECT_EQ(task_seed(1, SeedTag::kClustering, 3, 4), 0xd55ccd4aeb3ccafb);
+}
 
 TEST(TaskSeed, TellsAllTasksApart) {
   std::set<std::uint64_t> seeds;
@@ -66,7 +68,7 @@ TEST(TaskSeed, TellsAllTasksApart) {
     for (std::uint64_t stage = 0; stage < 5; ++stage) {
       for (std::uint64_t part = 0; part < 30; ++part) {
         for (std::uint64_t index = 0; index < 100; ++index, ++count) {
-          seeds.insert(task_seed(seed, stage, part, index));
+          seeds.insert(task_seed(seed, static_cast<SeedTag>(stage), part, index));
         }
       }
     }

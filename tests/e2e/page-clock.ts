@@ -87,3 +87,16 @@ export function timeFolding({ page }: StudioPage): Promise<number[]> {
     });
   });
 }
+
+/** How often a second the fitness is drawn while a run tells of generation after generation. */
+export function drawingsPerSecond(studio: StudioPage): Promise<number> {
+  return studio.page.evaluate(async () => {
+    let drawings = 0;
+    const observer = new MutationObserver(() => ++drawings);
+    observer.observe(document.querySelector('#chart')!, { childList: true });
+    const start = performance.now();
+    await new Promise((done) => setTimeout(done, 3000));
+    observer.disconnect();
+    return (1000 * drawings) / (performance.now() - start);
+  });
+}

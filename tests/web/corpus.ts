@@ -1,12 +1,23 @@
 /** The models and options that nets are judged by at large. */
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 export interface CorpusCase {
   model: string;
   /** Path of the model. */
   path: string;
   parts: '1' | '8' | 'auto';
+}
+
+/** Our own small models, which are always there. */
+export function ownCases(): CorpusCase[] {
+  const folder = fileURLToPath(new URL('../data/corpus', import.meta.url));
+  return readdirSync(folder)
+    .sort()
+    .flatMap((model) =>
+      (['1', '8', 'auto'] as const).map((parts) => ({ model, path: join(folder, model), parts })),
+    );
 }
 
 const sizes = [300, 574, 1000, 2000, 3000];
