@@ -31,7 +31,8 @@ constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
 constexpr Name<EdgeFlaps> kEdgeFlaps[] = {{"none", EdgeFlaps::kNone},
                                           {"left", EdgeFlaps::kLeft},
                                           {"right", EdgeFlaps::kRight},
-                                          {"both", EdgeFlaps::kBoth}};
+                                          {"both", EdgeFlaps::kBoth},
+                                          {"usual", EdgeFlaps::kUsual}};
 constexpr Name<GlueStrips> kGlueStrips[] = {
     {"none", GlueStrips::kNone}, {"free", GlueStrips::kFree}, {"all", GlueStrips::kAll}};
 constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
@@ -53,7 +54,12 @@ double radians(const val& degrees) { return degrees.as<double>() * std::numbers:
 
 FlapChoice flap_choice(const val& object) {
   return {object["from"].as<int>(), object["to"].as<int>(),
-          from_name<EdgeFlaps>(kEdgeFlaps, word(object["flaps"]))};
+          from_name<EdgeFlaps>(kEdgeFlaps, word(object["flaps"])),
+          object["height"].isUndefined() ? 0 : object["height"].as<double>()};
+}
+
+EdgeLock edge_lock(const val& object) {
+  return {{object["from"].as<int>(), object["to"].as<int>()}, word(object["as"]) == "fold"};
 }
 
 PartName part_name(const val& object) { return {object["part"].as<int>(), word(object["name"])}; }
@@ -97,6 +103,7 @@ JobOptions options_from(const val& object) {
   options.pins = items(object["pins"], pinned_piece);
   options.flaps.borders = object["flapBorders"].as<bool>();
   options.flaps.choices = items(object["flapEdges"], flap_choice);
+  options.locks = items(object["locks"], edge_lock);
   options.flaps.side = from_name<FlapSide>(kFlapSides, word(object["flapSide"]));
   FlapShape& flap = options.flaps.shape;
   flap.height = object["flapHeight"].as<double>();

@@ -34,11 +34,18 @@ SavedNet net_from(const val& object) {
   return net;
 }
 
+constexpr Name<LockKind> kLockKinds[] = {
+    {"fold", LockKind::kFold}, {"cut", LockKind::kCut}, {"free", LockKind::kFree}};
+
 EdgeName edge_from(const val& edge) { return {edge[0].as<int>(), edge[1].as<int>()}; }
 
 NetEdit net_edit_from(const val& edit) {
   const std::string kind = edit["kind"].as<std::string>();
   if (kind == "cut") return CutEdit{edge_from(edit["edge"])};
+  if (kind == "lock") {
+    return LockEdit{edge_from(edit["edge"]),
+                    from_name<LockKind>(kLockKinds, edit["as"].as<std::string>())};
+  }
   if (kind == "assign") return AssignEdit{numbers<int>(edit["faces"]), edit["part"].as<int>()};
   if (kind != "join") throw std::invalid_argument("unknown edit: " + kind);
   JoinEdit join{edge_from(edit["edge"])};

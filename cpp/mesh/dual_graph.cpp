@@ -254,6 +254,25 @@ DualGraph build_dual_graph(const Mesh& mesh) {
   return graph;
 }
 
+DualGraph lock_edges(const Mesh& mesh, DualGraph graph, std::span<const EdgeLock> locks) {
+  if (locks.empty()) return graph;
+  std::map<std::array<int, 2>, bool> is_fold;
+  for (const auto& [vertices, stays] : locks) {
+    is_fold[{std::min(vertices[0], vertices[1]), std::max(vertices[0], vertices[1])}] = stays;
+  }
+  const auto is_locked = [&](const Hinge& hinge, bool as_fold) {
+    return std::ranges::any_of(hinge.edges, [&](int e) {
+      const auto& [v, w] = mesh.edges[e].vertices;
+      const auto lock = is_fold.find({std::min(v, w), std::max(v, w)});
+      return lock != is_fold.end() && lock->second == as_fold;
+    });
+  };
+  std::erase_if(graph.hinges, [&](const Hinge& hinge) { return is_locked(hinge, false); });
+  for (Hinge& hinge : graph.hinges) hinge.stays_fold = is_locked(hinge, true);
+  build_incidence(graph);
+  return graph;
+}
+
 DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels) {
   assert(std::is_sorted(panels.begin(), panels.end()));
   DualGraph part;

@@ -27,6 +27,7 @@ struct Hinge {
   double length;              ///< model units
   RigidMotion2 lay;           ///< lays `panels[1]` beside `panels[0]`, in the latter's coordinates
   std::array<Vec2, 2> line;   ///< of its first edge, in those: `panels[0]` lies on the left
+  bool stays_fold = false;    ///< it is never to be cut
 
   int other(int panel) const { return panels[0] == panel ? panels[1] : panels[0]; }
 };
@@ -70,10 +71,21 @@ struct DualGraph {
 /// mountain (convex) negative. Faces folded onto each other count as a mountain.
 double fold_angle(const Mesh& mesh, int edge);
 
+/// A person's wish that an edge is always a fold, or never one.
+struct EdgeLock {
+  std::array<int, 2> vertices;  ///< of the mesh, in either order
+  bool is_fold;
+};
+
 /// The dual graph of the whole mesh. Panels are numbered by their lowest face; they grow from their
 /// largest one, and also take in needles that lie in its plane up to rounding, whose own normals
 /// tell nothing.
 DualGraph build_dual_graph(const Mesh& mesh);
+
+/// A graph as its locks leave it: a hinge with an edge that is never to be a fold is not in it, one
+/// with an edge that is always to be one `stays_fold`. Locks of edges that are on no hinge do
+/// nothing.
+DualGraph lock_edges(const Mesh& mesh, DualGraph graph, std::span<const EdgeLock> locks);
 
 /// The part of `graph` made of `panels` (ascending), with the hinges between them.
 DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels);

@@ -48,9 +48,8 @@ std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
           side.global({flap.top[1], flap.height}), side.global({flap.foot[1], 0})};
 }
 
-FlapRoom::FlapRoom(std::span<const Net> nets, const FlapShape& shape,
-                   std::span<const std::vector<Polygon>> keep_off)
-    : nets_(nets), shape_(shape) {
+FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off)
+    : nets_(nets) {
   for (const Net& net : nets) {
     const int n = static_cast<int>(obstacles_.size());
     obstacles_.push_back({{}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
@@ -63,22 +62,23 @@ FlapRoom::FlapRoom(std::span<const Net> nets, const FlapShape& shape,
   }
 }
 
-std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex) const {
-  return best(side, apex, near(side));
+std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
+                                        const FlapShape& shape) const {
+  return best(side, apex, shape, near(side, shape.height));
 }
 
-FlapMiss FlapRoom::why_none(const SeamSide& side, const Vec2& apex) const {
-  if (side.length() < shortest_base(shape_)) return FlapMiss::kShort;
-  if (!best(side, apex, {})) return FlapMiss::kThin;
+FlapMiss FlapRoom::why_none(const SeamSide& side, const Vec2& apex, const FlapShape& shape) const {
+  if (side.length() < shortest_base(shape)) return FlapMiss::kShort;
+  if (!best(side, apex, shape, {})) return FlapMiss::kThin;
   std::vector<const Polygon*> beside;
-  for (const Polygon* obstacle : near(side)) {
+  for (const Polygon* obstacle : near(side, shape.height)) {
     const bool touches = std::ranges::any_of(
         *obstacle, [&](const Vec2& p) { return p == side.from || p == side.to; });
     const auto index = obstacle - obstacles_[side.net].polygons.data();
     const bool is_face = index < static_cast<std::ptrdiff_t>(nets_[side.net].corners.size());
     if (touches && is_face) beside.push_back(obstacle);
   }
-  return best(side, apex, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
+  return best(side, apex, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
 }
 
 void FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
@@ -91,9 +91,9 @@ void FlapRoom::add(int net, Polygon polygon) {
   all.polygons.push_back(std::move(polygon));
 }
 
-/// Obstacles near the base, without the face it belongs to.
-std::vector<const Polygon*> FlapRoom::near(const SeamSide& side) const {
-  const Box2 reach = box_of(std::array{side.from, side.to}).grown(shape_.height + 1);
+/// Obstacles near the base of a flap so high, without the face it belongs to.
+std::vector<const Polygon*> FlapRoom::near(const SeamSide& side, double height) const {
+  const Box2 reach = box_of(std::array{side.from, side.to}).grown(height + 1);
   const Obstacles& all = obstacles_[side.net];
   std::vector<int> found;
   all.grid.visit(reach, [&](int i) {
@@ -108,14 +108,15 @@ std::vector<const Polygon*> FlapRoom::near(const SeamSide& side) const {
 }
 
 std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
-                                        std::span<const Polygon* const> obstacles) const {
-  RoomProfile profile = open_room(side.length(), shape_.height, kFineBin);
+                                        const FlapShape& shape,
+                                        std::span<const Polygon* const> obstacles) {
+  RoomProfile profile = open_room(side.length(), shape.height, kFineBin);
   for (const Polygon* obstacle : obstacles) {
     Polygon local;
     for (const Vec2& p : *obstacle) local.push_back(side.local(p));
     lower_below(profile, local);
   }
-  const auto found = best_flap(profile, apex, shape_);
+  const auto found = best_flap(profile, apex, shape);
   // The profile sees the outlines of what is in the way, not what covers the base altogether.
   if (!found || !is_free(side, *found, obstacles)) return std::nullopt;
   return widened(side, *found, obstacles);

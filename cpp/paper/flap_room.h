@@ -34,16 +34,16 @@ class FlapRoom {
 
   /// `keep_off`: per net further convex polygons that flaps must not overlap; or empty. What is
   /// given must outlive this.
-  FlapRoom(std::span<const Net> nets, const FlapShape& shape,
-           std::span<const std::vector<Polygon>> keep_off);
+  FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off);
 
-  /// The highest flap that fits a side, within the triangle over it with this apex; none if not
-  /// even the least does.
-  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex) const;
+  /// The highest flap of a shape that fits a side, within the triangle over it with this apex; none
+  /// if not even the least does.
+  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
+                                const FlapShape& shape) const;
 
   /// What keeps a side from a flap, the first of the reasons in their order.
   /// \pre `best` finds none
-  FlapMiss why_none(const SeamSide& side, const Vec2& apex) const;
+  FlapMiss why_none(const SeamSide& side, const Vec2& apex, const FlapShape& shape) const;
 
   /// Takes up the room of a flap.
   void take(const SeamSide& side, const Trapezoid& flap);
@@ -56,12 +56,12 @@ class FlapRoom {
   };
 
   void add(int net, Polygon polygon);
-  std::vector<const Polygon*> near(const SeamSide& side) const;
-  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
-                                std::span<const Polygon* const> obstacles) const;
+  std::vector<const Polygon*> near(const SeamSide& side, double height) const;
+  static std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
+                                       const FlapShape& shape,
+                                       std::span<const Polygon* const> obstacles);
 
   std::span<const Net> nets_;
-  FlapShape shape_;
   std::vector<Obstacles> obstacles_;  ///< per net
 };
 

@@ -22,21 +22,32 @@ std::tuple<double, double> rank_of(const std::optional<Trapezoid>& flap) {
   return {flap->height, flap->top[1] - flap->top[0]};
 }
 
-/// Per mesh edge that a person decided about: the choice, along the edge as the mesh has it.
-std::map<int, EdgeFlaps> choices_by_edge(const Mesh& mesh, std::span<const FlapChoice> choices) {
-  std::map<int, EdgeFlaps> chosen;
+/// The same flaps seen along the edge the other way.
+EdgeFlaps from_behind(EdgeFlaps flaps) {
+  if (flaps == EdgeFlaps::kLeft) return EdgeFlaps::kRight;
+  if (flaps == EdgeFlaps::kRight) return EdgeFlaps::kLeft;
+  return flaps;
+}
+
+/// What a person decided about an edge, seen along it as the mesh has it.
+struct EdgeChoice {
+  EdgeFlaps flaps;
+  double height;  ///< mm; 0: as all others
+};
+
+/// The choices, by mesh edge.
+std::map<int, EdgeChoice> choices_by_edge(const Mesh& mesh, std::span<const FlapChoice> choices) {
+  std::map<int, EdgeChoice> chosen;
   if (choices.empty()) return chosen;
   std::map<std::array<int, 2>, int> edges;
   for (int e = 0; e < mesh.edge_count(); ++e) edges[mesh.edges[e].vertices] = e;
-  for (const auto& [from, to, flaps] : choices) {
+  for (const auto& [from, to, flaps, height] : choices) {
     const auto ahead = edges.find({from, to});
     const auto back = edges.find({to, from});
     if (ahead != edges.end()) {
-      chosen[ahead->second] = flaps;
+      chosen[ahead->second] = {flaps, height};
     } else if (back != edges.end()) {
-      const bool is_one = flaps == EdgeFlaps::kLeft || flaps == EdgeFlaps::kRight;
-      const EdgeFlaps other = flaps == EdgeFlaps::kLeft ? EdgeFlaps::kRight : EdgeFlaps::kLeft;
-      chosen[back->second] = is_one ? other : flaps;
+      chosen[back->second] = {from_behind(flaps), height};
     } else {
       throw InputError("bad-option", "a flap is chosen for the edge from vertex " +
                                          std::to_string(from) + " to " + std::to_string(to) +
@@ -86,7 +97,7 @@ class FlapPlacer {
         options_(options),
         seams_(find_seams(nets)),
         choices_(choices_by_edge(mesh, options.choices)),
-        room_(nets, options.shape, keep_off),
+        room_(nets, keep_off),
         preferred_(seams_.size(), -1) {
     if (options.side == FlapSide::kAlternate) preferred_ = preferred_in_turn(nets, seams_);
     plan_.flaps.resize(nets.size());
@@ -109,13 +120,29 @@ class FlapPlacer {
     bool both;
   };
 
+  /// What a person chose for an edge.
+  EdgeFlaps flaps_at(int mesh_edge) const {
+    const auto chosen = choices_.find(mesh_edge);
+    return chosen == choices_.end() ? EdgeFlaps::kUsual : chosen->second.flaps;
+  }
+
+  /// How flaps at an edge may look.
+  FlapShape shape_at(int mesh_edge) const {
+    FlapShape shape = options_.shape;
+    const auto chosen = choices_.find(mesh_edge);
+    if (chosen != choices_.end() && chosen->second.height > 0) {
+      shape.height = chosen->second.height;
+      shape.least = std::min(shape.least, shape.height);
+    }
+    return shape;
+  }
+
   Wish wish_of(const Seam& seam) const {
-    const auto chosen = choices_.find(seam.mesh_edge);
-    if (chosen == choices_.end()) {
+    const EdgeFlaps flaps = flaps_at(seam.mesh_edge);
+    if (flaps == EdgeFlaps::kUsual) {
       const bool any = options_.side != FlapSide::kNone;
       return {{any, any}, options_.side == FlapSide::kBoth};
     }
-    const EdgeFlaps flaps = chosen->second;
     Wish wish = {{}, flaps == EdgeFlaps::kBoth};
     for (const int s : {0, 1}) {
       const SeamSide& side = seam.sides[s];
@@ -127,7 +154,8 @@ class FlapPlacer {
   }
 
   std::optional<Trapezoid> best(const Seam& seam, int s) const {
-    return room_.best(seam.sides[s], apex_beyond(seam.sides[s], seam.sides[1 - s]));
+    return room_.best(seam.sides[s], apex_beyond(seam.sides[s], seam.sides[1 - s]),
+                      shape_at(seam.mesh_edge));
   }
 
   /// Seams that want flaps, those with least room first and short edges last.
@@ -175,13 +203,10 @@ class FlapPlacer {
       const int edge = nets_[side.net].edges[side.edge].mesh_edge;
       const bool stands = options_.side != FlapSide::kNone && is_joint(edge);
       if (!options_.borders && !stands) continue;
-      const auto chosen = choices_.find(edge);
+      const EdgeFlaps flaps = flaps_at(edge);
       // A border has its only face on the left.
-      if (chosen != choices_.end() && chosen->second != EdgeFlaps::kBoth &&
-          chosen->second != EdgeFlaps::kLeft) {
-        continue;
-      }
-      const auto flap = room_.best(side, open_apex(side));
+      if (flaps == EdgeFlaps::kNone || flaps == EdgeFlaps::kRight) continue;
+      const auto flap = room_.best(side, open_apex(side), shape_at(edge));
       if (!flap) continue;
       add_flap(edge, side, *flap);
       ++plan_.counts.borders;
@@ -238,7 +263,7 @@ class FlapPlacer {
       counts.missing_length += length;
       plan_.missed.push_back({seam.mesh_edge, why_missed(seam, wish)});
     } else {
-      ++(height >= options_.shape.height ? counts.full : counts.shrunk);
+      ++(height >= shape_at(seam.mesh_edge).height ? counts.full : counts.shrunk);
     }
   }
 
@@ -247,7 +272,7 @@ class FlapPlacer {
     for (const int s : {0, 1}) {
       if (!wish.allowed[s]) continue;
       const Vec2 apex = apex_beyond(seam.sides[s], seam.sides[1 - s]);
-      why = std::max(why, room_.why_none(seam.sides[s], apex));
+      why = std::max(why, room_.why_none(seam.sides[s], apex, shape_at(seam.mesh_edge)));
     }
     return why;
   }
@@ -256,7 +281,7 @@ class FlapPlacer {
   std::span<const Net> nets_;
   const FlapOptions& options_;
   std::vector<Seam> seams_;
-  std::map<int, EdgeFlaps> choices_;
+  std::map<int, EdgeChoice> choices_;
   FlapRoom room_;
   std::vector<SideIndex> preferred_;  ///< per seam, for alternating flaps
   FlapPlan plan_;

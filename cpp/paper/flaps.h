@@ -16,13 +16,14 @@ enum class FlapSide {
   kBoth
 };
 
-/// Which sides of one edge get flaps, seen along it.
-enum class EdgeFlaps { kNone, kLeft, kRight, kBoth };
+/// Which sides of one edge get flaps, seen along it; `kUsual` goes by `FlapSide`.
+enum class EdgeFlaps { kNone, kLeft, kRight, kBoth, kUsual };
 
 /// A person's choice for one edge of the mesh.
 struct FlapChoice {
   int from, to;  ///< vertices of the mesh
   EdgeFlaps flaps;
+  double height = 0;  ///< of a full flap there, mm; 0: that of all others
 };
 
 /// Shorter cut edges hold by their neighbours, mm.
@@ -32,8 +33,8 @@ struct FlapOptions {
   FlapSide side = FlapSide::kOne;
   FlapShape shape = {};
   bool borders = false;  ///< whether open borders of the model get flaps as well
-  /// Edges that do not go by `side`; of several choices for one edge the last counts. Edges that
-  /// are not cut are folds whatever is chosen.
+  /// Edges that do not go by `side` and `shape`; of several choices for one edge the last counts.
+  /// Edges that are not cut are folds whatever is chosen.
   std::vector<FlapChoice> choices = {};
 };
 

@@ -1,7 +1,11 @@
+#include <string>
+
+#include "mesh/input_error.h"
 #include "pipeline/matrix_picture.h"
 #include "pipeline/model_size.h"
 #include "pipeline/stage.h"
 #include "segment/curvature_pockets.h"
+#include "segment/lock_labels.h"
 #include "segment/regroup.h"
 #include "segment/subdivide.h"
 
@@ -42,8 +46,16 @@ Labels label_component(const JobState& state, Component& component) {
   if (segmenter == Segmenter::kShape) {
     labels = regroup_saddles(mesh, component.graph, learned_panels, std::move(labels));
   }
-  component.labels = open_pockets(mesh, component.graph, std::move(labels));
+  labels = open_pockets(mesh, component.graph, std::move(labels));
+  component.labels = keep_locked_together(component.graph, std::move(labels));
   return on_learned;
+}
+
+/// What an edit asks for, and folds that are never to be cut do not allow.
+InputError held_together(const Component& component) {
+  return InputError("locked", "locked folds hold the faces together: " +
+                                  std::to_string(component.part_numbers.size()) +
+                                  " parts cannot be made of them");
 }
 
 /// Makes the parts, and numbers them through all components.
@@ -57,6 +69,7 @@ class ClusterStage : public Stage {
     for (Component& component : state.components) {
       show_matrix(component, label_component(state, component), state.options.runs, events);
       const int parts = part_count(component.labels);
+      if (parts < static_cast<int>(component.part_numbers.size())) throw held_together(component);
       for (int part = 0; component.part_numbers.size() < static_cast<std::size_t>(parts); ++part) {
         component.part_numbers.push_back(state.parts + part);
       }

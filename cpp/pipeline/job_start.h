@@ -41,8 +41,19 @@ struct AssignEdit {
   int part = 0;
 };
 
+/// What a person wants an edge to be from now on.
+enum class LockKind { kFold, kCut, kFree };
+
+/// Makes an edge what its lock says. A fold is cut, and the piece held together at another edge, or
+/// else it falls in two; a cut is joined as by `JoinEdit`. That it stays so is for later jobs,
+/// which have the lock in `JobOptions::locks`; in this one it is not looked at there.
+struct LockEdit {
+  EdgeName edge;
+  LockKind as;
+};
+
 /// A change of nets that does not go by whole parts.
-using NetEdit = std::variant<CutEdit, JoinEdit, AssignEdit>;
+using NetEdit = std::variant<CutEdit, JoinEdit, AssignEdit, LockEdit>;
 
 /// How large an earlier result was on paper, and on how many sheets of what width.
 struct EarlierPaper {

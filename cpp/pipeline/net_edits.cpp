@@ -7,130 +7,54 @@
 #include "mesh/connectivity.h"
 #include "mesh/input_error.h"
 #include "pipeline/edits.h"
-#include "pipeline/net_split.h"
-#include "pipeline/saved_net.h"
 
 namespace foldwright {
 namespace {
 
-/// A net of the earlier result on a graph of its own panels.
-struct LoadedNet {
-  Component component;
-  FoundNet net;
-};
+using Tree = NetTrees::Tree;
 
-LoadedNet load(const DualGraph& graph, const SavedNet& saved) {
-  std::vector<int> panels;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    if (std::ranges::binary_search(saved.faces, graph.panel_faces(panel)[0])) {
-      panels.push_back(panel);
-    }
-  }
-  LoadedNet loaded{make_component(graph, std::move(panels)), {}};
-  loaded.net = load_net(loaded.component, 0, saved);
-  return loaded;
-}
-
-/// The motion between the flat copies of two nets that share a face: from the first's to the
-/// second's, in model units. \pre they have a face in common
-RigidMotion2 motion_between(const Net& from, const Net& to) {
-  for (std::size_t i = 0; i < from.faces.size(); ++i) {
-    const auto found = std::ranges::lower_bound(to.faces, from.faces[i]);
-    if (found == to.faces.end() || *found != from.faces[i]) continue;
-    const auto& [a, b, c] = from.corners[i];
-    const auto& [p, q, r] = to.corners[found - to.faces.begin()];
-    return motion_onto(from.vertices[a], from.vertices[b], to.vertices[p], to.vertices[q]);
-  }
-  return {};
-}
-
-Net flat(const Mesh& mesh, const LoadedNet& loaded) {
-  return make_net(mesh, restrict_to(loaded.component.graph, loaded.net.region.panels),
-                  loaded.net.folds);
-}
-
-/// Keeps the faces that a net has in common with one before where they lay.
-void keep_place(const Surface& surface, double scale, const LoadedNet& before, SavedNet& after) {
-  if (!before.net.place) return;
-  const Net now = flat(surface.mesh, load(surface.graph, after));
-  RigidMotion2 motion = motion_between(now, flat(surface.mesh, before));
-  motion.t *= scale;
-  after.place = {before.net.place->sheet, before.net.place->motion * motion};
-}
-
-/// Number of the mesh edge. \throw InputError if there is none
-int edge_at(const Mesh& mesh, const EdgeName& name) {
-  const auto is_it = [&](const Mesh::Edge& edge) {
-    const auto& [a, b] = edge.vertices;
-    return (a == name.from && b == name.to) || (a == name.to && b == name.from);
-  };
-  const auto found = std::ranges::find_if(mesh.edges, is_it);
-  if (found == mesh.edges.end()) {
-    throw InputError("no-edge", "the model has no edge between corners " +
-                                    std::to_string(name.from) + " and " + std::to_string(name.to));
-  }
-  return static_cast<int>(found - mesh.edges.begin());
-}
-
-/// The hinge that an edge lies on, of the model's graph.
-int hinge_at(const Surface& surface, const EdgeName& name) {
-  const int edge = edge_at(surface.mesh, name);
-  if (surface.mesh.edges[edge].faces[1] == -1) {
-    throw InputError("open-border", "only one face has this edge: there is nothing to join there");
-  }
-  const auto& hinges = surface.graph.hinges;
-  const auto found = std::ranges::find_if(
-      hinges, [&](const Hinge& hinge) { return std::ranges::binary_search(hinge.edges, edge); });
-  if (found == hinges.end()) {
-    throw InputError("inside-panel", "this edge lies within a flat face, which stays whole");
-  }
-  return static_cast<int>(found - hinges.begin());
-}
-
-/// The net that has a face. \throw InputError if none has
-std::size_t net_of(const EarlierNets& nets, int face) {
-  const auto found = std::ranges::find_if(
-      nets.nets, [&](const SavedNet& net) { return std::ranges::binary_search(net.faces, face); });
-  if (found == nets.nets.end()) {
-    throw InputError("no-net", "a face beside this edge has no net yet", {face});
-  }
-  return static_cast<std::size_t>(found - nets.nets.begin());
+/// A tree with one fold for another.
+Tree swapped(Tree tree, int cut, int join) {
+  std::erase(tree.hinges, cut);
+  tree.hinges.push_back(join);
+  return tree;
 }
 
 class NetEditor {
  public:
   NetEditor(const Surface& surface, double scale, EarlierNets& nets)
-      : surface_(surface), graph_(surface.graph), scale_(scale), nets_(nets) {}
+      : surface_(surface), graph_(surface.graph), nets_(nets), trees_(surface, scale, nets) {}
 
   std::optional<PartEdit> operator()(const CutEdit& edit) {
-    const Hinge& hinge = graph_.hinges[hinge_at(surface_, edit.edge)];
-    const std::size_t i = net_of(nets_, graph_.panel_faces(hinge.panels[0])[0]);
-    const std::vector<int>& folds = nets_.nets[i].folds;
-    const auto fold = std::ranges::find(folds, hinge.edges[0]);
-    if (fold == folds.end()) throw InputError("already-cut", "this edge is cut already");
-    const LoadedNet whole = load(graph_, nets_.nets[i]);
-    std::vector<SavedNet> halves;
-    for (const FoundNet& half :
-         split_net(whole.component, whole.net, static_cast<int>(fold - folds.begin()))) {
-      SavedNet& saved = halves.emplace_back(save_net(whole.component, half));
-      saved.cause = Cause::kEdit;
-      keep_place(surface_, scale_, whole, saved);
+    const int hinge = trees_.hinge_at(edit.edge);
+    if (!trees_.folds_at(hinge)) throw InputError("already-cut", "this edge is cut already");
+    if (graph_.hinges[hinge].stays_fold) {
+      throw InputError("locked", "this edge is locked: it is never cut");
     }
-    nets_.nets[i] = std::move(halves[0]);
-    nets_.nets.push_back(std::move(halves[1]));
+    trees_.cut(trees_.net_at(hinge, 0), hinge);
     return std::nullopt;
   }
 
   std::optional<PartEdit> operator()(const JoinEdit& edit) {
-    const int hinge = hinge_at(surface_, edit.edge);
-    const auto& [a, b] = graph_.hinges[hinge].panels;
-    const std::size_t i = net_of(nets_, graph_.panel_faces(a)[0]);
-    const std::size_t j = net_of(nets_, graph_.panel_faces(b)[0]);
+    const int hinge = trees_.hinge_at(edit.edge);
+    const std::size_t i = trees_.net_at(hinge, 0);
+    const std::size_t j = trees_.net_at(hinge, 1);
     if (i == j) {
       reopen(i, hinge, edit.open);
       return std::nullopt;
     }
     return join(i, j, hinge, edit.search);
+  }
+
+  std::optional<PartEdit> operator()(const LockEdit& edit) {
+    const int hinge = trees_.hinge_at(edit.edge);
+    const bool is_fold = trees_.folds_at(hinge);
+    if (edit.as == LockKind::kFold && !is_fold) return (*this)(JoinEdit{edit.edge});
+    if (edit.as == LockKind::kCut) {
+      check_connected_without(hinge);
+      if (is_fold) open(hinge);
+    }
+    return std::nullopt;
   }
 
   std::optional<PartEdit> operator()(const AssignEdit& edit) {
@@ -146,6 +70,7 @@ class NetEditor {
         labels[face] = edit.part;
       }
     }
+    check_locks(labels);
     check_connected(labels, edit.part, "not-touching", "the faces do not touch that part");
     std::optional<PartEdit> emptied;
     for (const int donor : donors) {
@@ -169,64 +94,61 @@ class NetEditor {
   }
 
  private:
-  /// The net over some panels, folded along some hinges of the model's graph; without a motion.
-  SavedNet make_saved(int part, std::span<const int> panels, std::vector<int> hinges) const {
-    SavedNet saved{part, Cause::kEdit, {}, {}, {}};
-    for (const int panel : panels) {
-      const auto faces = graph_.panel_faces(panel);
-      saved.faces.insert(saved.faces.end(), faces.begin(), faces.end());
+  /// Cuts a fold, and joins the two sides where that leaves least to glue; if faces overlap
+  /// wherever that is, the net falls in two.
+  void open(int hinge) {
+    const std::size_t i = trees_.net_at(hinge, 0);
+    const Tree tree = trees_.tree_of(i);
+    std::vector<int> ways = trees_.hinges_across(tree, hinge);
+    std::ranges::sort(ways, {}, [&](int h) { return std::pair(-graph_.hinges[h].length, h); });
+    for (const int way : ways) {
+      if (trees_.replace(i, swapped(tree, hinge, way)).empty()) return;
     }
-    std::ranges::sort(saved.faces);
-    std::ranges::sort(hinges);
-    for (const int h : hinges) saved.folds.push_back(graph_.hinges[h].edges[0]);
-    return saved;
+    trees_.cut(i, hinge);
   }
 
-  /// Faces of a net that overlap others, ascending.
-  std::vector<int> overlapping_faces(const SavedNet& saved) const {
-    const LoadedNet loaded = load(graph_, saved);
-    const DualGraph& graph = loaded.component.graph;
-    const Layout layout = lay_out(graph, hang_tree(graph, loaded.net.folds));
-    std::set<int> faces;
-    for (const auto& pair : overlapping_panels(graph, layout)) {
-      for (const int panel : pair) {
-        const auto of = graph.panel_faces(panel);
-        faces.insert(of.begin(), of.end());
-      }
+  /// Parts must not hang together by what is never to be a fold alone.
+  void check_connected_without(int hinge) const {
+    const auto& [a, b] = graph_.hinges[hinge].panels;
+    const int part = nets_.labels[graph_.panel_faces(a)[0]];
+    if (nets_.labels[graph_.panel_faces(b)[0]] != part) return;
+    const auto& [v, w] = surface_.mesh.edges[graph_.hinges[hinge].edges[0]].vertices;
+    const EdgeLock lock = {{v, w}, false};
+    const DualGraph without = lock_edges(surface_.mesh, graph_, std::span(&lock, 1));
+    std::vector<int> panels;
+    for (int panel = 0; panel < graph_.panel_count(); ++panel) {
+      if (nets_.labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
-    return {faces.begin(), faces.end()};
+    if (is_connected(restrict_to(without, panels))) return;
+    throw InputError("would-fall-apart",
+                     "without this fold part " + std::to_string(part + 1) + " would fall apart");
   }
 
-  /// Panels of the model that a net has, and its folds as hinges of the model.
-  struct Tree {
-    std::vector<int> panels, hinges;
-  };
-  Tree tree_of(const SavedNet& net) const {
-    const LoadedNet loaded = load(graph_, net);
-    Tree tree{loaded.component.panels, {}};
-    const std::map<int, int> hinge_of = hinges_by_edge(graph_);
-    for (const int edge : net.folds) tree.hinges.push_back(hinge_of.at(edge));
-    return tree;
+  /// Folds that are never to be cut lie within parts.
+  void check_locks(const std::vector<int>& labels) const {
+    for (const Hinge& hinge : graph_.hinges) {
+      const int a = graph_.panel_faces(hinge.panels[0])[0];
+      const int b = graph_.panel_faces(hinge.panels[1])[0];
+      if (!hinge.stays_fold || labels[a] == labels[b]) continue;
+      throw InputError("locked", "a locked fold holds the faces where they are", {a, b});
+    }
   }
 
   /// Makes one net of two.
   std::optional<PartEdit> join(std::size_t i, std::size_t j, int hinge, bool search) {
     if (nets_.nets[j].faces.size() > nets_.nets[i].faces.size()) std::swap(i, j);
-    Tree tree = tree_of(nets_.nets[i]);
-    const Tree other = tree_of(nets_.nets[j]);
+    Tree tree = trees_.tree_of(i);
+    const Tree other = trees_.tree_of(j);
     tree.panels.insert(tree.panels.end(), other.panels.begin(), other.panels.end());
     tree.hinges.insert(tree.hinges.end(), other.hinges.begin(), other.hinges.end());
     tree.hinges.push_back(hinge);
     std::ranges::sort(tree.panels);
-    SavedNet joined = make_saved(nets_.nets[i].part, tree.panels, tree.hinges);
-    const std::vector<int> faces = overlapping_faces(joined);
+    const int part = nets_.nets[i].part;
+    const int emptied = nets_.nets[j].part;
+    const std::vector<int> faces = trees_.replace(i, tree);
     if (!faces.empty() && !search) {
       throw InputError("overlap", "the two pieces would overlap there", faces);
     }
-    if (faces.empty()) keep_place(surface_, scale_, load(graph_, nets_.nets[i]), joined);
-    const int part = nets_.nets[i].part;
-    const int emptied = nets_.nets[j].part;
-    nets_.nets[i] = std::move(joined);
     if (!faces.empty()) nets_.nets[i].faces.clear();
     nets_.nets[j].faces.clear();
     std::erase_if(nets_.nets, [](const SavedNet& net) { return net.faces.empty(); });
@@ -251,59 +173,32 @@ class NetEditor {
 
   /// Joins along a hinge within a net, and opens the loop elsewhere.
   void reopen(std::size_t i, int hinge, const std::optional<EdgeName>& open) {
-    const Tree tree = tree_of(nets_.nets[i]);
+    const Tree tree = trees_.tree_of(i);
     if (std::ranges::count(tree.hinges, hinge) > 0) {
       throw InputError("already-joined", "this edge is a fold already");
     }
-    std::vector<int> loop = loop_of(tree, hinge);
+    std::vector<int> loop = trees_.loop_of(tree, hinge);
     if (open) {
-      const int wanted = hinge_at(surface_, *open);
+      const int wanted = trees_.hinge_at(*open);
       if (std::ranges::count(loop, wanted) == 0) {
         throw InputError("not-in-loop", "cutting there would not open the loop");
       }
       loop = {wanted};
     }
+    std::erase_if(loop, [&](int h) { return graph_.hinges[h].stays_fold; });
+    if (loop.empty()) {
+      throw InputError("locked", "the loop cannot be opened elsewhere: its folds are locked");
+    }
     // Least to glue first.
     std::ranges::sort(loop, {}, [&](int h) { return std::pair(graph_.hinges[h].length, h); });
     std::vector<int> in_the_way;
     for (const int opened : loop) {
-      std::vector<int> hinges = tree.hinges;
-      std::erase(hinges, opened);
-      hinges.push_back(hinge);
-      SavedNet saved = make_saved(nets_.nets[i].part, tree.panels, hinges);
-      saved.cause = nets_.nets[i].cause;
-      std::vector<int> faces = overlapping_faces(saved);
-      if (faces.empty()) {
-        keep_place(surface_, scale_, load(graph_, nets_.nets[i]), saved);
-        nets_.nets[i] = std::move(saved);
-        return;
-      }
+      std::vector<int> faces = trees_.replace(i, swapped(tree, opened, hinge));
+      if (faces.empty()) return;
       if (in_the_way.empty() || faces.size() < in_the_way.size()) in_the_way = std::move(faces);
     }
     throw InputError("overlap", "faces of the piece would overlap, wherever it is opened instead",
                      in_the_way);
-  }
-
-  /// Folds of a tree on the way between the panels of a hinge.
-  std::vector<int> loop_of(const Tree& tree, int hinge) const {
-    std::map<int, std::vector<int>> hinges_at;
-    for (const int h : tree.hinges) {
-      for (const int panel : graph_.hinges[h].panels) hinges_at[panel].push_back(h);
-    }
-    const auto& [from, to] = graph_.hinges[hinge].panels;
-    std::map<int, int> reached_by = {{from, -1}};
-    std::vector<int> open = {from};
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      for (const int h : hinges_at[open[next]]) {
-        const int panel = graph_.hinges[h].other(open[next]);
-        if (reached_by.emplace(panel, h).second) open.push_back(panel);
-      }
-    }
-    std::vector<int> loop;
-    for (int panel = to; panel != from; panel = graph_.hinges[loop.back()].other(panel)) {
-      loop.push_back(reached_by.at(panel));
-    }
-    return loop;
   }
 
   std::vector<int> panels_with(std::span<const int> faces) const {
@@ -346,11 +241,24 @@ class NetEditor {
 
   const Surface& surface_;
   const DualGraph& graph_;
-  double scale_;
   EarlierNets& nets_;
+  NetTrees trees_;
 };
 
 }  // namespace
+
+std::vector<EdgeLock> locks_before(std::span<const EdgeLock> locks,
+                                   std::span<const NetEdit> edits) {
+  std::vector<EdgeLock> before(locks.begin(), locks.end());
+  for (const NetEdit& edit : edits) {
+    const auto* locking = std::get_if<LockEdit>(&edit);
+    if (locking == nullptr) continue;
+    std::erase_if(before, [&](const EdgeLock& lock) {
+      return is_same_edge({lock.vertices[0], lock.vertices[1]}, locking->edge);
+    });
+  }
+  return before;
+}
 
 std::optional<PartEdit> apply_net_edit(const Surface& surface, double scale, const NetEdit& edit,
                                        EarlierNets& nets) {

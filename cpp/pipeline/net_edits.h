@@ -1,17 +1,8 @@
 #pragma once
 
-#include "pipeline/job_start.h"
-#include "pipeline/task.h"
+#include "pipeline/net_trees.h"
 
 namespace foldwright {
-
-/// Parts and nets of an earlier result while they are edited one by one. Faces without a net are
-/// to be searched.
-struct EarlierNets {
-  std::vector<int> labels;  ///< per face of the mesh: its part
-  int part_count = 0;
-  std::vector<SavedNet> nets;
-};
 
 /// Makes one edit. Nets that come of it keep their place on paper where they are, and their motion
 /// if it is still proved; `scale`: millimetres per model unit of these places.
@@ -21,8 +12,11 @@ struct EarlierNets {
 /// Cost: linear in the faces for a cut and between two nets; times the folds of the loop within
 /// one. \throw InputError whose code says why the edit cannot be made, with the faces in the way:
 /// "no-edge", "inside-panel", "open-border", "already-cut", "already-joined", "not-in-loop",
-/// "overlap", "no-face", "no-part", "not-touching", "would-fall-apart"
+/// "overlap", "no-face", "no-part", "not-touching", "would-fall-apart", "locked"
 std::optional<PartEdit> apply_net_edit(const Surface& surface, double scale, const NetEdit& edit,
                                        EarlierNets& nets);
+
+/// Locks without those of edges that `edits` lock anew.
+std::vector<EdgeLock> locks_before(std::span<const EdgeLock> locks, std::span<const NetEdit> edits);
 
 }  // namespace foldwright

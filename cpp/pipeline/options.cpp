@@ -39,8 +39,12 @@ void check_size(const SizeOptions& size) {
 void check_flaps(const FlapOptions& flaps) {
   if (flaps.side == FlapSide::kNone && flaps.choices.empty() && !flaps.borders) return;
   // Higher ones than 50 mm would hide whole faces.
-  const double height = flaps.shape.height;
-  check(std::isfinite(height) && height >= 1 && height <= 50, "flaps", "from 1 to 50 mm");
+  const auto is_height = [](double mm) { return std::isfinite(mm) && mm >= 1 && mm <= 50; };
+  check(is_height(flaps.shape.height), "flaps", "from 1 to 50 mm");
+  for (const FlapChoice& choice : flaps.choices) {
+    check(choice.height == 0 || is_height(choice.height), "the height of a flap",
+          "from 1 to 50 mm");
+  }
   // Steeper sides collide inside the model; flatter ones leave no flap on short edges.
   const double angle = flaps.shape.angle * 180 / std::numbers::pi;
   check(angle > 10 - 1e-9 && angle < 60 + 1e-9, "flap-angle", "from 10 to 60 degrees");

@@ -77,7 +77,8 @@ struct JobOptions {
   GlueStrips strips = GlueStrips::kNone;
   std::vector<PartName> names = {};  ///< in a job with a start: of the parts of the earlier result
   std::vector<PinnedPiece> pins = {};
-  bool compaction = true;  ///< make nets better to craft after they were found
+  std::vector<EdgeLock> locks = {};  ///< of the job's mesh; see `lock_edges`
+  bool compaction = true;            ///< make nets better to craft after they were found
 };
 
 /// \throw InputError that names the first option out of its range

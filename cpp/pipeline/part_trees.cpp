@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/search_limits.h"
+#include "segment/lock_labels.h"
 #include "segment/regroup.h"
 
 namespace foldwright {
@@ -89,6 +90,11 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
         component.learned ? component.learned->matrix.size : component.graph.panel_count();
     auto regrouping =
         regroup(state.surface->mesh, component.graph, learned_panels, component.labels, label);
+    if (regrouping) {
+      // What folds that stay hold together cannot be shared out as it was.
+      const Labels kept = keep_locked_together(component.graph, regrouping->labels);
+      if (kept != regrouping->labels) regrouping.reset();
+    }
     if (!regrouping && trees_.at(part).overlaps == 0) {
       // Searched again, it is planned a motion for within its own borders.
       forget(part);

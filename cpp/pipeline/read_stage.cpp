@@ -10,6 +10,7 @@
 #include "mesh/turn_up.h"
 #include "pipeline/counted.h"
 #include "pipeline/edits.h"
+#include "pipeline/net_edits.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
 
@@ -151,6 +152,12 @@ void foresee_cost(JobState& state, Events& events) {
   events.push_back(notice);
 }
 
+/// A job that locks an edge makes it what the lock says; the jobs after it keep that.
+std::vector<EdgeLock> locks_in_force(const JobState& state) {
+  if (!state.start) return state.options.locks;
+  return locks_before(state.options.locks, state.start->net_edits);
+}
+
 /// From bytes to components: read, repair, simplify, dual graph.
 class ReadStage : public Stage {
  public:
@@ -166,7 +173,7 @@ class ReadStage : public Stage {
     for (const auto& [code, count, text] : state.model.repairs) {
       events.push_back(Notice{code, text});
     }
-    state.surface = make_surface(kModelSurface, simplified(state));
+    state.surface = make_surface(kModelSurface, simplified(state), locks_in_force(state));
     events.push_back(ModelEvent{state.surface});
     check_panels_fit(state);
     if (state.start) {

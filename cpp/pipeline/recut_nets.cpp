@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
+#include "geometry/union_find.h"
 #include "mesh/input_error.h"
 #include "paper/recut.h"
 #include "pipeline/flat_net.h"
@@ -16,11 +18,37 @@ namespace {
 // Halvings of the range of scales that flaps leave open, a twentieth of the size: to a thousandth.
 constexpr int kFlapTrials = 6;
 
-Plates plates_of(const DualGraph& graph, const FoundNet& found, const Net& net) {
+/// The plates of a net between the folds that may be cut, and these as indices into its folds.
+struct CuttablePlates {
   Plates plates;
+  std::vector<int> folds;
+};
+
+/// Per panel its plate: panels stay together at folds that are never to be cut.
+std::vector<int> plate_numbers(const DualGraph& graph, const FoundNet& found) {
+  UnionFind together(graph.panel_count());
+  for (const int h : found.folds) {
+    const auto& [a, b] = graph.hinges[h].panels;
+    if (graph.hinges[h].stays_fold) together.join(a, b);
+  }
+  std::map<int, int> numbers;
+  std::vector<int> plates;
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    std::vector<Vec2>& corners = plates.corners.emplace_back();
-    double& area = plates.areas.emplace_back(0);
+    const auto next = static_cast<int>(numbers.size());
+    plates.push_back(numbers.try_emplace(together.find(panel), next).first->second);
+  }
+  return plates;
+}
+
+CuttablePlates plates_of(const DualGraph& graph, const FoundNet& found, const Net& net) {
+  const std::vector<int> plate_of = plate_numbers(graph, found);
+  CuttablePlates cuttable;
+  Plates& plates = cuttable.plates;
+  plates.corners.resize(1 + std::ranges::max(plate_of));
+  plates.areas.resize(plates.corners.size(), 0);
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    std::vector<Vec2>& corners = plates.corners[plate_of[panel]];
+    double& area = plates.areas[plate_of[panel]];
     for (const int face : graph.panel_faces(panel)) {
       const auto slot = std::ranges::lower_bound(net.faces, face) - net.faces.begin();
       const auto& [a, b, c] = net.corners[slot];
@@ -28,8 +56,13 @@ Plates plates_of(const DualGraph& graph, const FoundNet& found, const Net& net) 
       area += 0.5 * cross(net.vertices[b] - net.vertices[a], net.vertices[c] - net.vertices[a]);
     }
   }
-  for (const int h : found.folds) plates.folds.push_back(graph.hinges[h].panels);
-  return plates;
+  for (std::size_t fold = 0; fold < found.folds.size(); ++fold) {
+    const Hinge& hinge = graph.hinges[found.folds[fold]];
+    if (hinge.stays_fold) continue;
+    plates.folds.push_back({plate_of[hinge.panels[0]], plate_of[hinge.panels[1]]});
+    cuttable.folds.push_back(static_cast<int>(fold));
+  }
+  return cuttable;
 }
 
 /// Says by how much a face that cannot be cut is too large for the sheet.
@@ -150,9 +183,10 @@ bool NetCutter::step() {
     fitting_.push_back(std::move(next));
     return open_.empty();
   }
-  if (next.folds.empty()) throw too_large(state_, net);
-  const Plates plates = plates_of(graph_of(state_, next), next, net);
-  auto halves = split_net(state_.components[next.region.component], next, choose_cut(plates, room));
+  const auto [plates, folds] = plates_of(graph_of(state_, next), next, net);
+  if (folds.empty()) throw too_large(state_, net);
+  const int fold = folds[choose_cut(plates, room)];
+  auto halves = split_net(state_.components[next.region.component], next, fold);
   // The first half is looked at first, so that pieces come in order.
   open_.push_back(std::move(halves[1]));
   open_.push_back(std::move(halves[0]));

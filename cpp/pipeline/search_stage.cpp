@@ -12,6 +12,7 @@
 #include "pipeline/search_limits.h"
 #include "pipeline/search_notices.h"
 #include "search/overlap_cut.h"
+#include "segment/lock_labels.h"
 
 namespace foldwright {
 namespace {
@@ -368,8 +369,9 @@ class SearchStage : public Stage {
     const Component& of = state.components[component];
     std::vector<int> rows;
     for (const int panel : region.panels) rows.push_back(of.learned->rows[panel]);
-    const Labels halves = split_in_two(state.surface->mesh, restrict_to(of.graph, region.panels),
-                                       {of.learned->matrix, rows});
+    const DualGraph graph = restrict_to(of.graph, region.panels);
+    const Labels halves = halve_between_locks(
+        graph, split_in_two(state.surface->mesh, graph, {of.learned->matrix, rows}));
     for (const int half : {0, 1}) {
       Region share{component, region.part, cause, {}};
       for (std::size_t i = 0; i < region.panels.size(); ++i) {

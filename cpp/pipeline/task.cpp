@@ -36,9 +36,10 @@ NetPicture make_picture(const DualGraph& graph, std::span<const int> folds) {
 
 }  // namespace
 
-std::shared_ptr<const Surface> make_surface(int key, Mesh mesh) {
-  DualGraph graph = build_dual_graph(mesh);
-  return std::make_shared<const Surface>(Surface{key, std::move(mesh), std::move(graph)});
+std::shared_ptr<const Surface> make_surface(int key, Mesh mesh, std::vector<EdgeLock> locks) {
+  DualGraph graph = lock_edges(mesh, build_dual_graph(mesh), locks);
+  return std::make_shared<const Surface>(
+      Surface{key, std::move(mesh), std::move(graph), std::move(locks)});
 }
 
 TaskRunner::TaskRunner(Task task)

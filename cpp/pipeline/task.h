@@ -19,9 +19,10 @@ namespace foldwright {
 struct Surface {
   int key;  ///< names it within its job
   Mesh mesh;
-  DualGraph graph;
+  DualGraph graph;              ///< as the locks leave it
+  std::vector<EdgeLock> locks;  ///< see `lock_edges`
 };
-std::shared_ptr<const Surface> make_surface(int key, Mesh mesh);
+std::shared_ptr<const Surface> make_surface(int key, Mesh mesh, std::vector<EdgeLock> locks = {});
 
 /// Some learning runs.
 struct LearnTask {

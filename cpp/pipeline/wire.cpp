@@ -47,8 +47,8 @@ constexpr bool is_any_of = (std::is_same_v<std::remove_cvref_t<T>, Kinds> || ...
 
 /// Whether a value's bytes are all there is to it.
 template <class T>
-constexpr bool is_plain =
-    std::is_arithmetic_v<T> || std::is_enum_v<T> || is_any_of<T, std::array<int, 3>>;
+constexpr bool is_plain = std::is_arithmetic_v<T> || std::is_enum_v<T> ||
+                          is_any_of<T, std::array<int, 3>, std::array<int, 2>>;
 
 // One list of fields per structure serves both directions: `value` is const when writing.
 template <class T, class F>
@@ -106,6 +106,8 @@ void each_field(T& value, F& f) {
     f(value.found), f(value.labels), f(value.changed), f(value.shortfalls), f(value.moves);
   } else if constexpr (is_any_of<T, SearchStatus>) {
     f(value.best), f(value.overlaps), f(value.hyperbolic);
+  } else if constexpr (is_any_of<T, EdgeLock>) {
+    f(value.vertices), f(value.is_fold);
   } else if constexpr (is_any_of<T, NetPicture>) {
     f(value.corners), f(value.sources), f(value.overlapping);
   } else {
@@ -223,6 +225,7 @@ Bytes encode(const Surface& surface) {
   writer(surface.mesh.positions);
   writer(surface.mesh.faces);
   writer(surface.mesh.source_faces);
+  writer(surface.locks);
   return writer.take();
 }
 
@@ -236,8 +239,10 @@ std::shared_ptr<const Surface> decode_surface(std::span<const std::byte> bytes) 
   reader(positions);
   reader(faces);
   reader(source_faces);
-  return make_surface(key,
-                      make_mesh(std::move(positions), std::move(faces), std::move(source_faces)));
+  std::vector<EdgeLock> locks;
+  reader(locks);
+  Mesh mesh = make_mesh(std::move(positions), std::move(faces), std::move(source_faces));
+  return make_surface(key, std::move(mesh), std::move(locks));
 }
 
 Bytes encode(const Task& task) {

@@ -21,6 +21,15 @@ constexpr double kAnywhere = 0.2;
 // Conflicts at a hyperbolic vertex are why there is no net.
 constexpr double kHyperbolicWeight = 3;
 
+/// Panels that a fold which is never to be cut holds where they are.
+std::vector<char> held_panels(const DualGraph& graph) {
+  std::vector<char> held(graph.panel_count(), 0);
+  for (const Hinge& hinge : graph.hinges) {
+    for (const int panel : hinge.panels) held[panel] |= hinge.stays_fold ? 1 : 0;
+  }
+  return held;
+}
+
 }  // namespace
 
 BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, PartsSoFar parts,
@@ -33,6 +42,7 @@ BorderExchange::BorderExchange(const Mesh& mesh, const DualGraph& graph, PartsSo
       vertices_of_panel_(panel_vertices(mesh, graph)),
       folds_(mesh.edges.size(), 0),
       hyperbolic_(hyperbolic_vertices(mesh)),
+      held_(held_panels(graph)),
       shortfalls_(std::move(parts.shortfalls)) {
   shortfalls_.erase(options_.part);
   for (const int e : parts.fold_edges) folds_[e] = 1;
@@ -130,7 +140,7 @@ BorderExchange::Exchange BorderExchange::choose() {
     for (const int side : {0, 1}) {
       const int panel = hinge.panels[side];
       const int to = labels_[hinge.panels[1 - side]];
-      if (labels_[panel] == to) continue;
+      if (labels_[panel] == to || held_[panel]) continue;
       if (labels_[panel] == options_.part || to == options_.part) candidates.insert({panel, to});
     }
   }

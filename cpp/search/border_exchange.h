@@ -87,6 +87,7 @@ class BorderExchange {
   std::vector<std::vector<int>> vertices_of_panel_;
   std::vector<char> folds_;       ///< per mesh edge: some part's best tree folds there
   std::vector<char> hyperbolic_;  ///< per vertex: more than a full turn of face angles
+  std::vector<char> held_;        ///< per panel: it has a fold that is never to be cut
   std::map<int, FoldTree> trees_;
   int shortfall_ = -1;
   std::map<int, int> shortfalls_;

@@ -46,6 +46,7 @@ void MovingTree::path(int a, int b, std::vector<int>& folds) {
   // Collected as b .. meet, a .. meet; wanted is a .. meet .. b.
   std::reverse(folds.begin(), folds.begin() + from_b);
   std::rotate(folds.begin(), folds.begin() + from_b, folds.end());
+  std::erase_if(folds, [&](int fold) { return graph_->hinges[fold].stays_fold; });
 }
 
 void MovingTree::mark_fold(int hinge, bool is_fold) {

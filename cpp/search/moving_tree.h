@@ -18,7 +18,8 @@ class MovingTree {
   FoldTree folds() const;
   bool is_fold(int hinge) const { return is_fold_[hinge] != 0; }
 
-  /// Folds on the way from panel `a` to panel `b`, in that order.
+  /// Folds on the way from panel `a` to panel `b`, in that order, but for those that are never to
+  /// be cut.
   void path(int a, int b, std::vector<int>& folds);
 
   /// Splits the tree at fold `cut` and selects the smaller side as the one to move. Linear in it.

@@ -85,8 +85,8 @@ double NetAnnealing::progress() const {
   return std::min(1.0, static_cast<double>(spent_) / static_cast<double>(options_.work));
 }
 
-/// Chooses a hinge to become a fold and a fold of the loop to be cut.
-void NetAnnealing::choose_swap() {
+/// Chooses a hinge to become a fold and a fold of the loop to be cut, if one of it may be.
+bool NetAnnealing::choose_swap() {
   join_ = random_.below(2) == 0 ? cost_->worst_cut(random_) : -1;
   while (join_ == -1) {
     const int hinge = random_.below(graph_->hinge_count());
@@ -94,12 +94,14 @@ void NetAnnealing::choose_swap() {
   }
   const auto [a, b] = graph_->hinges[join_].panels;
   layout_->path(a, b, path_);
+  if (path_.empty()) return false;
   layout_->select_side(path_[random_.below(static_cast<int>(path_.size()))]);
+  return true;
 }
 
 std::int64_t NetAnnealing::move() {
   ++moves_;
-  choose_swap();
+  if (!choose_swap()) return 1;
   const bool overlaps = layout_->try_flat(join_, 0) > 0;
   const std::int64_t touched = layout_->trial_cost();
   std::int64_t work = 1 + touched / 4;
@@ -127,6 +129,7 @@ std::int64_t NetAnnealing::mend() {
   ++moves_;
   const auto [a, b] = layout_->random_conflict(random_);
   layout_->path(a, b, path_);
+  if (path_.empty()) return 1;
   layout_->select_side(path_[random_.below(static_cast<int>(path_.size()))]);
   const auto joins = layout_->joins();
   const auto work_for = [&](std::int64_t touched) {

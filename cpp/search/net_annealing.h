@@ -52,7 +52,7 @@ class NetAnnealing {
   double temperature() const;
   std::int64_t move();
   std::int64_t mend();
-  void choose_swap();
+  bool choose_swap();
   void refresh();
   void begin_check();
   void end_check();

@@ -49,7 +49,7 @@ int best_overlap_cut(const DualGraph& graph, const FoldTree& folds) {
   const std::vector<int> sizes = sizes_of(tree);
   std::tuple<int, int, int> best{-1, 0, 0};  // pairs parted, panels of the smaller half, panel
   for (const int panel : tree.order) {
-    if (tree.parent[panel] == -1) continue;
+    if (tree.parent[panel] == -1 || graph.hinges[tree.hinge[panel]].stays_fold) continue;
     const int smaller = std::min(sizes[panel], graph.panel_count() - sizes[panel]);
     best = std::max(best, {pairs[panel], smaller, panel});
   }

@@ -69,10 +69,11 @@ void TreeSearch::consider(FoldTree folds) {
 }
 
 /// A fold on the path between a random pair in conflict, more likely near its ends: cutting there
-/// moves few panels.
-int TreeSearch::choose_cut() {
+/// moves few panels. None if no fold there may be cut.
+std::optional<int> TreeSearch::choose_cut() {
   const auto [a, b] = layout_->random_conflict(random_);
   layout_->path(a, b, path_);
+  if (path_.empty()) return std::nullopt;
   const int length = static_cast<int>(path_.size());
   int at = 0;
   while (at + 1 < length && random_.uniform() < 0.7) ++at;
@@ -86,7 +87,9 @@ bool TreeSearch::is_out_of_patience() const {
 
 std::int64_t TreeSearch::move() {
   ++moves_;
-  layout_->select_side(choose_cut());
+  const std::optional<int> cut = choose_cut();
+  if (!cut) return 1;
+  layout_->select_side(*cut);
   const auto joins = layout_->joins();
   if (joins.empty()) return 1;
   const int join = joins[random_.below(static_cast<int>(joins.size()))];

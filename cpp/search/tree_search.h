@@ -75,7 +75,7 @@ class TreeSearch {
   /// Makes or refuses one swap; returns its cost in panels touched.
   std::int64_t move();
   bool is_out_of_patience() const;
-  int choose_cut();
+  std::optional<int> choose_cut();
   void note_progress();
   void note_best();
   void finish_or_fold();

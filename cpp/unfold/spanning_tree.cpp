@@ -13,6 +13,9 @@ FoldTree minimum_spanning_tree(const DualGraph& graph, std::span<const double> w
   std::vector<int> by_weight(graph.hinge_count());
   std::iota(by_weight.begin(), by_weight.end(), 0);
   std::sort(by_weight.begin(), by_weight.end(), [&](int a, int b) {
+    const bool a_stays = graph.hinges[a].stays_fold;
+    const bool b_stays = graph.hinges[b].stays_fold;
+    if (a_stays != b_stays) return a_stays;
     return weights[a] != weights[b] ? weights[a] < weights[b] : a < b;
   });
   UnionFind trees(graph.panel_count());

@@ -11,7 +11,8 @@ namespace foldwright {
 /// hinge is cut [paper, 3.1].
 using FoldTree = std::vector<int>;
 
-/// Minimum spanning tree of the dual graph; ties go to the lower hinge.
+/// Minimum spanning tree of the dual graph; ties go to the lower hinge. Hinges that are never to be
+/// cut come before all others.
 /// `weights`: one finite value per hinge. \pre graph is connected
 FoldTree minimum_spanning_tree(const DualGraph& graph, std::span<const double> weights);
 

@@ -176,6 +176,30 @@ TEST(PlaceFlaps, RefusesAChoiceForAnEdgeThatIsNotThere) {
   }
 }
 
+TEST(PlaceFlaps, MakesAFlapAsHighAsAsked) {
+  const Mesh mesh = cube();
+  const std::vector<Net> nets = {net_of(mesh, 80)};
+  const FlapPlan usual = place_flaps(mesh, nets, {});
+  const Flap& first = usual.flaps[0][0];
+  const Mesh::Edge& edge = mesh.edges[nets[0].edges[first.edge].mesh_edge];
+  const auto height_for = [&](double height) {
+    const FlapChoice choice = {edge.vertices[1], edge.vertices[0], EdgeFlaps::kUsual, height};
+    const FlapPlan plan = place_flaps(mesh, nets, {.choices = {choice}});
+    EXPECT_EQ(plan.flaps[0].size(), usual.flaps[0].size());
+    EXPECT_EQ(plan.counts.full, 7) << "a lower one is full where it was asked for";
+    double found = 0;
+    for (const Flap& flap : plan.flaps[0]) {
+      const bool is_it = nets[0].edges[flap.edge].mesh_edge == nets[0].edges[first.edge].mesh_edge;
+      if (is_it) found = flap.height;
+      if (!is_it) EXPECT_EQ(flap.height, 5);
+    }
+    return found;
+  };
+  EXPECT_EQ(height_for(0), 5);
+  EXPECT_EQ(height_for(9), 9);
+  EXPECT_EQ(height_for(1.5), 1.5) << "lower than what is worth trying elsewhere";
+}
+
 TEST(PlaceFlaps, PutsFlapsOnBordersIfAsked) {
   const Mesh mesh = open_strip(3);
   const std::vector<Net> nets = {net_of(mesh, 60)};

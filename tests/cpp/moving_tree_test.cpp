@@ -17,6 +17,22 @@ int distance(MovingTree& tree, int a, int b) {
   return static_cast<int>(path.size());
 }
 
+TEST(MovingTree, OffersNoFoldThatIsNeverToBeCut) {
+  DualGraph graph = build_dual_graph(torus(12, 8));
+  Random random(1);
+  const FoldTree folds = random_tree(graph, random);
+  MovingTree free(graph, folds);
+  std::vector<int> all;
+  free.path(0, graph.panel_count() - 1, all);
+  ASSERT_GT(all.size(), 2u);
+  graph.hinges[all[1]].stays_fold = true;
+  MovingTree tree(graph, folds);
+  std::vector<int> path;
+  tree.path(0, graph.panel_count() - 1, path);
+  all.erase(all.begin() + 1);
+  EXPECT_EQ(path, all);
+}
+
 TEST(MovingTree, ListsTheSideThatMovesFromTheJoinOn) {
   const DualGraph graph = build_dual_graph(torus(12, 8));
   Random random(1);

@@ -184,6 +184,95 @@ TEST(NetEdits, MergePartsWhoseNetsTheyJoin) {
   EXPECT_EQ(after.result->pieces[0].cause, Cause::kPart);
 }
 
+EdgeLock lock_of(const EdgeName& edge, bool is_fold) { return {{edge.from, edge.to}, is_fold}; }
+
+bool folds_at(const JobResult& result, const EdgeName& edge) {
+  for (const int e : folds_of(result)) {
+    if (is_same_edge(name_of(result.mesh, e), edge)) return true;
+  }
+  return false;
+}
+
+JobOptions with_locks(std::vector<EdgeLock> locks) {
+  JobOptions options = kOptions;
+  options.locks = std::move(locks);
+  return options;
+}
+
+TEST(NetEdits, LockAnEdgeThatIsThenAlwaysCut) {
+  const Edited edited;
+  const EdgeName edge = some_fold(edited.result());
+  const JobOptions options = with_locks({lock_of(edge, false)});
+  JobStart start = start_of(edited.result(), {LockEdit{edge, LockKind::kCut}});
+  const Outcome locked = run_from(edited.mesh, std::move(start), options);
+  expect_sound(locked);
+  EXPECT_FALSE(folds_at(*locked.result, edge));
+  // Whatever is done to the parts afterwards.
+  for (int into : {1, 2}) {
+    JobStart again = start_of(*locked.result, {});
+    for (int part = 0; part < locked.result->parts; ++part) {
+      again.part_edits.push_back({{part}, into});
+    }
+    const Outcome after = run_from(edited.mesh, std::move(again), options);
+    expect_sound(after);
+    EXPECT_FALSE(folds_at(*after.result, edge)) << "into " << into;
+  }
+  JobStart join = start_of(*locked.result, {JoinEdit{edge}});
+  EXPECT_EQ(code_of(run_from(edited.mesh, std::move(join), options)), "locked");
+}
+
+TEST(NetEdits, LockEdgesThatAreThenAlwaysFolds) {
+  const Edited edited;
+  // All folds of a piece but two.
+  const SavedNet& largest = *std::ranges::max_element(
+      edited.result().nets, {}, [](const SavedNet& net) { return net.folds.size(); });
+  std::vector<EdgeLock> locks;
+  for (std::size_t i = 0; i + 2 < largest.folds.size(); ++i) {
+    locks.push_back(lock_of(name_of(edited.mesh, largest.folds[i]), true));
+  }
+  JobOptions options = with_locks(locks);
+  options.compaction = true;
+  const auto keeps_locks = [&](const JobResult& result) {
+    return std::ranges::all_of(locks, [&](const EdgeLock& lock) {
+      return folds_at(result, {lock.vertices[0], lock.vertices[1]});
+    });
+  };
+  for (int into : {1, 2}) {
+    JobStart start = start_of(edited.result(), {});
+    for (int part = 0; part < edited.result().parts; ++part) {
+      start.part_edits.push_back({{part}, into});
+    }
+    const Outcome after = run_from(edited.mesh, std::move(start), options);
+    expect_sound(after);
+    EXPECT_TRUE(keeps_locks(*after.result)) << "into " << into;
+  }
+  // So large that all pieces are cut again.
+  JobOptions large = options;
+  large.size.value = 400;
+  JobStart start = start_of(edited.result(), {});
+  start.paper.reset();
+  const Outcome after = run_from(edited.mesh, std::move(start), large);
+  if (code_of(after) != "face-too-large") {
+    expect_sound(after);
+    EXPECT_TRUE(keeps_locks(*after.result));
+    EXPECT_GT(after.result->pieces.size(), edited.result().pieces.size());
+  }
+  const EdgeName first = {locks[0].vertices[0], locks[0].vertices[1]};
+  JobStart cut = start_of(edited.result(), {CutEdit{first}});
+  EXPECT_EQ(code_of(run_from(edited.mesh, std::move(cut), options)), "locked");
+}
+
+TEST(NetEdits, JoinACutThatIsLockedAsAFold) {
+  const Edited edited;
+  const EdgeName fold = some_fold(edited.result());
+  const Outcome cut = edited.apply(CutEdit{fold});
+  ASSERT_TRUE(cut.result);
+  JobStart start = start_of(*cut.result, {LockEdit{fold, LockKind::kFold}});
+  const Outcome locked = run_from(edited.mesh, std::move(start), with_locks({lock_of(fold, true)}));
+  expect_sound(locked);
+  EXPECT_EQ(folds_of(*locked.result), folds_of(edited.result()));
+}
+
 TEST(NetEdits, MoveFacesToAnotherPart) {
   const Edited edited;
   const JobResult& before = edited.result();

@@ -29,10 +29,15 @@ interface Outcome {
   events: string[];
 }
 
-/** The package as a script of the page imports it, from where the page has the studio. */
-async function packageOf(page: Page): Promise<JSHandle<typeof Package>> {
+/** Where the page has the studio, there is the package. */
+async function packageAddress(page: Page): Promise<string> {
   const studio = page.locator('script[type=module]');
-  const address = (await studio.getAttribute('src'))!.replace('foldwright-studio', 'foldwright');
+  return (await studio.getAttribute('src'))!.replace('foldwright-studio', 'foldwright');
+}
+
+/** The package as a script of the page imports it. */
+async function packageOf(page: Page): Promise<JSHandle<typeof Package>> {
+  const address = await packageAddress(page);
   // As a text, which the tests' own bundler leaves alone.
   return page.evaluateHandle(`import(${JSON.stringify(address)})`);
 }
@@ -67,3 +72,35 @@ test('a page of another origin unfolds, edits and writes, to the bytes of the co
       expect(complaints).toEqual([]);
     },
   ));
+
+test('a worker of a page unfolds as the page does', () =>
+  withElementPage({ markup: '<p id="message">A plain page</p>', apart: true }, async (plain) => {
+    const { page, complaints } = plain;
+    const address = await packageAddress(page);
+    const fold = await page.evaluate(
+      ([from, text]) => {
+        const script = `
+          import { unfold } from ${JSON.stringify(from)};
+          addEventListener('message', async ({ data }) => {
+            const files = [{ name: 'ring.obj', bytes: new TextEncoder().encode(data) }];
+            try {
+              const unfolded = await unfold(files, { parts: 4, seed: 3, height: 80 });
+              const [file] = await unfolded.export('fold');
+              postMessage(new TextDecoder().decode(file.bytes));
+            } catch (error) {
+              postMessage(String(error));
+            }
+          });`;
+        const blob = new Blob([script], { type: 'text/javascript' });
+        const worker = new Worker(URL.createObjectURL(blob), { type: 'module' });
+        return new Promise<string>((resolve, reject) => {
+          worker.onmessage = ({ data }: MessageEvent<string>) => resolve(data);
+          worker.onerror = ({ message }) => reject(new Error(message));
+          worker.postMessage(text);
+        });
+      },
+      [address, ring] as const,
+    );
+    expect(fold).toBe(await foldUnderNode());
+    expect(complaints).toEqual([]);
+  }));

@@ -58,7 +58,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
         'report.json',
       ]);
       expect(written.options).toMatchObject({ parts: 1, solver: 'tree', paper: 'A4', seed: 1 });
-      expect(written.segmentation).toEqual(Array.from({ length: 12 }, () => 0));
+      expect(written.segmentation).toEqual(Array.from({ length: 12 }, () => 1));
       expect(checkFold(parseFold(readFileSync(paths[0]!, 'utf8')))).toEqual([]);
     }));
 

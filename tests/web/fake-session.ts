@@ -19,7 +19,7 @@ export function stateOf(settings: Settings, parts: number, names: PartName[] = [
   });
   const labels = Int32Array.from(pieces, ({ part }) => part);
   const result = { parts, labels, names, pieces, scale: 1, notices: [] };
-  const wishes = { settings, flapEdges: [], names, pins: [] };
+  const wishes = { settings, flapEdges: [], locks: [], names, pins: [] };
   return { wishes, result: result as unknown as DocumentState['result'] };
 }
 

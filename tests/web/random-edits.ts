@@ -67,6 +67,8 @@ export function randomEdit(dice: Dice, result: JobResult): DocumentEdit {
     () => ({ kind: 'join', edge: edge(true) }),
     () => ({ kind: 'assign', faces: [dice.below(result.labels.length)], part }),
     () => ({ kind: 'flap', edge: edge(true), side: dice.of(['first', 'second', 'both', 'none']) }),
+    () => ({ kind: 'flap', edge: edge(true), side: 'auto', height_mm: dice.of([2, 8, 20]) }),
+    () => ({ kind: 'lock', edge: edge(dice.roll() < 0.5), as: dice.of(['fold', 'cut', 'free']) }),
     () => ({ kind: 'name', part, text: dice.of(['Nose', 'Wing', 'Tail', '']) }),
     () => {
       const piece = dice.below(result.pieces.length);

@@ -4,13 +4,13 @@ import { defaultOptions } from '../../web/model/default-options.js';
 import { boxAndLidResult } from './fixtures.js';
 import { schemaErrors } from './report-schema.js';
 
-function reportOf(parts: number): Report {
+function reportOf(parts: number, result = boxAndLidResult()): Report {
   return makeReport({
     version: '0.1.0',
     options: { parts: parts || 'auto', seed: 1 },
     job: { ...defaultOptions, parts },
     files: ['out-1.svg', 'out-2.svg', 'report.json'],
-    result: boxAndLidResult(),
+    result,
     printed: [{ code: 'missing-glyphs', text: 'no font has X' }],
     seconds: {
       read: 0.1,
@@ -39,6 +39,26 @@ describe('makeReport', () => {
     expect(report.pieces.map(({ faces }) => faces)).toEqual([10, 2]);
     expect(report.sheets).toBe(2);
     expect(report.result_hash).toBe('0123456789abcdef');
+  });
+
+  it('counts parts, pieces and sheets from 1', () => {
+    const report = reportOf(2);
+    expect(report.pieces.map(({ id, part, sheet }) => [id, part, sheet])).toEqual([
+      [1, 1, 1],
+      [2, 2, 2],
+    ]);
+    expect(new Set(report.segmentation)).toEqual(new Set([1, 2]));
+    expect(schemaErrors({ ...report, pieces: [{ ...report.pieces[0]!, part: 0 }] })).toHaveLength(
+      1,
+    );
+  });
+
+  it('keeps dropped faces apart from parts', () => {
+    const result = boxAndLidResult();
+    result.segmentation[3] = -1;
+    const { segmentation } = reportOf(2, result);
+    expect(segmentation[3]).toBe(-1);
+    expect(segmentation.filter((part) => part < 1)).toEqual([-1]);
   });
 
   it('tells what came up when the sheets were drawn', () => {

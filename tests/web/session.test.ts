@@ -132,6 +132,26 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       expect(session.edits.map(({ kind }) => kind)).toEqual(['split', 'print']);
     }));
 
+  it('keeps edges as they are locked', () =>
+    withSession(async (session) => {
+      const edge = await someFold(session);
+      await made(session, { kind: 'lock', edge, as: 'fold' });
+      const refused = await session.apply({ kind: 'cut', edge });
+      expect(refused).toMatchObject({ ok: false, code: 'locked' });
+      for (let part = 1; part <= 4; ++part) {
+        await made(session, { kind: 'again', part, seed: 5 + part });
+      }
+      // It is a fold still: it cannot be joined.
+      const joined = await session.apply({ kind: 'join', edge });
+      expect(joined).toMatchObject({ ok: false, code: 'already-joined' });
+      await made(session, { kind: 'lock', edge, as: 'cut' });
+      expect(await session.apply({ kind: 'cut', edge })).toMatchObject({ code: 'locked' });
+      expect(await session.apply({ kind: 'join', edge })).toMatchObject({ code: 'locked' });
+      await made(session, { kind: 'lock', edge, as: 'free' });
+      expect(await session.apply({ kind: 'cut', edge })).toMatchObject({ code: 'already-cut' });
+      expect(checkFold(parseFold(await foldText(session)))).toEqual([]);
+    }));
+
   it('refuses what cannot be done by a code, and changes nothing', () =>
     withSession(async (session) => {
       const before = await foldText(session);
@@ -150,6 +170,7 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
         [{ kind: 'print', options: { colour: 'part' } }, 'bad-option'],
         [{ kind: 'assign', faces: [1e6], part: 1 }, 'no-face'],
         [{ kind: 'flap', edge: [0, 0], side: 'both' }, 'bad-option'],
+        [{ kind: 'flap', edge, side: 'auto', height_mm: 0.5 }, 'bad-option'],
       ];
       for (const [edit, code] of refused) {
         expect(await session.apply(edit), JSON.stringify(edit)).toMatchObject({ ok: false, code });

@@ -1,13 +1,14 @@
 /** What a document is at one point of its history. */
 import type { TimedResult } from '../core/client.js';
 import { jobOptions, printOptions, type Settings } from '../model/options.js';
-import type { FlapChoice, JobOptions, PartName, PinnedPiece } from '../model/job.js';
+import type { EdgeLock, FlapChoice, JobOptions, PartName, PinnedPiece } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 
 /** All that was asked for; plain values. */
 export interface Wishes {
   settings: Settings;
   flapEdges: readonly FlapChoice[];
+  locks: readonly EdgeLock[];
   names: readonly PartName[];
   pins: readonly PinnedPiece[];
 }
@@ -19,8 +20,14 @@ export interface DocumentState {
 }
 
 /** What the engine is asked for. */
-export function jobOf({ settings, flapEdges, names, pins }: Wishes): JobOptions {
-  return { ...jobOptions(settings), flapEdges: [...flapEdges], names: [...names], pins: [...pins] };
+export function jobOf({ settings, flapEdges, locks, names, pins }: Wishes): JobOptions {
+  return {
+    ...jobOptions(settings),
+    flapEdges: [...flapEdges],
+    locks: [...locks],
+    names: [...names],
+    pins: [...pins],
+  };
 }
 
 /** How the sheets shall look. */

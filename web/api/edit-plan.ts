@@ -1,7 +1,15 @@
 /** What an edit asks of the engine. */
 import type { DocumentEdit } from '../model/document-edits.js';
 import { renamed, startFrom, startInPlace } from '../model/edits.js';
-import type { FlapChoice, JobStart, NetEdit, PartEdit, Piece } from '../model/job.js';
+import type {
+  EdgeLock,
+  EdgeName,
+  FlapChoice,
+  JobStart,
+  NetEdit,
+  PartEdit,
+  Piece,
+} from '../model/job.js';
 import {
   BadOption,
   changedSettings,
@@ -49,19 +57,35 @@ function partEditOf(edit: PartChange): PartEdit {
   return { parts: edit.parts.map((part) => part - 1), into: 1 };
 }
 
-const flapSides = { first: 'left', second: 'right', both: 'both', none: 'none' } as const;
+const flapSides = {
+  first: 'left',
+  second: 'right',
+  both: 'both',
+  none: 'none',
+  auto: 'usual',
+} as const;
 
-function isSameEdge({ from, to }: FlapChoice, [v, w]: readonly [number, number]): boolean {
+function isSameEdge(choice: { from: number; to: number }, [v, w]: EdgeName): boolean {
+  const { from, to } = choice;
   return (from === v && to === w) || (from === w && to === v);
 }
 
 function withFlap(
   choices: readonly FlapChoice[],
-  { edge, side }: Extract<DocumentEdit, { kind: 'flap' }>,
+  { edge, side, height_mm: height }: Extract<DocumentEdit, { kind: 'flap' }>,
 ): FlapChoice[] {
   const others = choices.filter((choice) => !isSameEdge(choice, edge));
-  if (side === 'auto') return others;
-  return [...others, { from: edge[0], to: edge[1], flaps: flapSides[side] }];
+  if (side === 'auto' && height === undefined) return others;
+  const [from, to] = edge;
+  return [...others, { from, to, flaps: flapSides[side], ...(height !== undefined && { height }) }];
+}
+
+function withLock(
+  locks: readonly EdgeLock[],
+  { edge, as }: Extract<DocumentEdit, { kind: 'lock' }>,
+): EdgeLock[] {
+  const others = locks.filter((lock) => !isSameEdge(lock, edge));
+  return as === 'free' ? others : [...others, { from: edge[0], to: edge[1], as }];
 }
 
 /** Makes plans for one state. */
@@ -92,6 +116,8 @@ class Planner {
       case 'cut':
       case 'join':
         return this.inPlace({}, [], [edit]);
+      case 'lock':
+        return this.inPlace({ locks: withLock(wishes.locks, edit) }, [], [edit]);
       case 'flap':
         return this.inPlace({ flapEdges: withFlap(wishes.flapEdges, edit) });
       case 'name':

@@ -189,7 +189,7 @@ export class Session {
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
-    const wishes: Wishes = { settings, flapEdges: [], names: [], pins: [] };
+    const wishes: Wishes = { settings, flapEdges: [], locks: [], names: [], pins: [] };
     const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
     const { result, isWhole } = await outcome(run, work);
     const first: DocumentState = { wishes, result };

@@ -7,6 +7,7 @@ const words: Readonly<Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name'>
   assign: 'moving faces',
   cut: 'cutting a fold',
   join: 'joining an edge',
+  lock: 'lock of an edge',
   flap: 'flap of an edge',
   place: 'moving a piece',
   unpin: 'letting a piece go',

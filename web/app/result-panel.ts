@@ -15,6 +15,7 @@ import { PrintPanel } from './print-panel.js';
 import { ResultWriter } from './result-writer.js';
 import type { SheetList } from './sheet-list.js';
 import type { StepsPanel } from './steps-panel.js';
+import { WriterHost } from './writer-host.js';
 
 /** A run whose sheets are drawn, but are not on the page yet. */
 export interface DrawnRun {
@@ -46,6 +47,7 @@ export class ResultPanel extends Panel {
   private readonly remarks = this.find('#remarks', HTMLElement);
 
   private readonly print = new PrintPanel(this.place);
+  private readonly host = new WriterHost(this.place.life);
   /** What is on the page, and what writes it. */
   private shownRun: { run: FinishedRun; writer: ResultWriter } | null = null;
   /** Counts results, so that a later one is not replaced by one that took longer to draw. */
@@ -81,7 +83,7 @@ export class ResultPanel extends Panel {
     const { model, settings, result } = run;
     const [turn, look] = [++this.turns, this.looks];
     const source = { result, name: stem(model.name), margin: settings.margin };
-    const writer = new ResultWriter(source, this.print.read(), this.place.life);
+    const writer = new ResultWriter(this.host, source, this.print.read());
     try {
       const sheets = await this.sheets.draw(result, writer);
       const notices = await writer.notices();

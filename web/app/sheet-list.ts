@@ -2,7 +2,7 @@ import type { JobResult, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
-import { sheetPicture } from '../view/sheet-picture.js';
+import { sheetPicture, type PiecePaint } from '../view/sheet-picture.js';
 import { make } from './dom.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
@@ -10,8 +10,16 @@ import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
 import type { MarksBySheet } from './step-marks.js';
 
-/** One sheet with its caption, from its SVG. */
-function drawSheet(result: JobResult, index: number, source: string): HTMLElement {
+/** What a sheet on the page was made of; two that were made of the same look the same. */
+interface SheetParts {
+  source: string;
+  paints: ReadonlyMap<string, PiecePaint>;
+  caption: string;
+  /** Of the width of the widest sheet. */
+  share: number;
+}
+
+function partsOf(result: JobResult, index: number, source: string): SheetParts {
   const pieces = result.pieces.filter((piece) => piece.sheet === index);
   const paints = new Map(
     pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
@@ -19,8 +27,20 @@ function drawSheet(result: JobResult, index: number, source: string): HTMLElemen
   const number = `Sheet ${index + 1} of ${result.sheets.length}`;
   const names = [...paints.keys()].join(', ');
   const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
+  const widest = Math.max(...result.sheets.map(({ width }) => width));
+  return { source, paints, caption, share: result.sheets[index]!.width / widest };
+}
+
+function keyOf({ source, paints, caption, share }: SheetParts): string {
+  return JSON.stringify([source, [...paints], caption, share]);
+}
+
+/** One sheet with its caption. */
+function drawSheet({ source, paints, caption, share }: SheetParts): HTMLLIElement {
   const picture = sheetPicture(source, paints, caption);
-  return make('figure', {}, picture, make('figcaption', { textContent: caption }));
+  const figure = make('figure', {}, picture, make('figcaption', { textContent: caption }));
+  figure.style.setProperty('--share', String(share));
+  return make('li', { className: 'sheet' }, figure);
 }
 
 /** The sheets as they will be printed, with the parts in colour. */
@@ -30,6 +50,8 @@ export class SheetList extends Panel {
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
+  /** By what they were made of. */
+  private drawn = new Map<string, HTMLLIElement>();
   private pieces: readonly Piece[] = [];
   private marks: MarksBySheet = new Map();
   private selected: readonly number[] = [];
@@ -48,16 +70,23 @@ export class SheetList extends Panel {
     });
   }
 
-  /** Draws all sheets with the exporter that also writes the files: screen and paper agree. */
+  /**
+   * Draws all sheets with the exporter that also writes the files: screen and paper agree. Sheets that
+   * are as those on the page are those on the page.
+   */
   async draw(result: JobResult, writer: ResultWriter): Promise<HTMLLIElement[]> {
-    const widest = Math.max(...result.sheets.map(({ width }) => width));
-    const items: HTMLLIElement[] = [];
-    for (const [index, sheet] of result.sheets.entries()) {
-      const figure = drawSheet(result, index, await writer.sheet(index));
-      figure.style.setProperty('--share', String(sheet.width / widest));
-      items.push(make('li', { className: 'sheet' }, figure));
+    const sources = await Promise.all(result.sheets.map((_, index) => writer.sheet(index)));
+    const drawn = new Map<string, HTMLLIElement>();
+    for (const [index, source] of sources.entries()) {
+      const parts = partsOf(result, index, source);
+      const key = keyOf(parts);
+      const known = this.drawn.get(key);
+      // A picture that takes long leaves the page time for others.
+      if (!known && index > 0) await nextFrame();
+      drawn.set(key, known ?? drawSheet(parts));
     }
-    return items;
+    this.drawn = drawn;
+    return [...drawn.values()];
   }
 
   /**
@@ -68,10 +97,11 @@ export class SheetList extends Panel {
   show(sheets: HTMLLIElement[], { pieces }: JobResult, whole = false): void {
     this.sheets = sheets;
     this.pieces = pieces;
-    this.marks = new Map();
+    this.mark(new Map());
     const first = whole ? sheets.length : 1;
     this.list.replaceChildren(...sheets.slice(0, first));
     this.coming = sheets.slice(first);
+    this.select(this.selected);
     this.resize();
   }
 

@@ -42,6 +42,14 @@ export default defineConfig({
     target: ['chrome95', 'firefox114', 'safari16.4'],
     // The content security policy forbids data: addresses for most kinds of files.
     assetsInlineLimit: 0,
+    modulePreload: {
+      // What scripts load later is not announced in the document: the package may run where there is none.
+      resolveDependencies: (
+        _: string,
+        files: string[],
+        { hostType }: { hostType: 'html' | 'js' },
+      ) => (hostType === 'html' ? files : []),
+    },
     // The 3D view, which loads after the page, is three.js for the most part.
     chunkSizeWarningLimit: 700,
     rolldownOptions: {

@@ -17,13 +17,7 @@ export interface WriterSource {
   margin: number;
 }
 
-/** Comes first, with the result that all orders are about. */
-export interface WriterInput {
-  type: 'input';
-  source: WriterSource;
-}
-
-/** Comes with a port for the answer, and with how the sheets shall look. */
+/** What is asked about a result, and how its sheets shall look. */
 export type WriterOrder = { options: PrintOptions } & (
   | /** One sheet as SVG, counted from 0. Answered by its text. */
     { type: 'sheet'; sheet: number }
@@ -33,44 +27,70 @@ export type WriterOrder = { options: PrintOptions } & (
   | { type: 'notices' }
 );
 
+export type WriterMessage =
+  /** A result to be written, under a number of its own. */
+  | { type: 'result'; result: number; source: WriterSource }
+  /** Comes with a port for the answer. */
+  | { type: 'order'; result: number; order: WriterOrder }
+  | { type: 'forget'; result: number };
+
 export type WriterAnswer<Content> =
   | { type: 'written'; content: Content }
   /** `reason` is for those who look for the fault. */
   | { type: 'failed'; reason: string };
 
-let source: WriterSource | null = null;
+interface Written {
+  source: WriterSource;
+  /** The sheets as they were drawn last: most orders ask for the same look again. */
+  last: { key: string; print: Promise<Print> } | null;
+}
 
-/** The sheets as they were drawn last: most orders ask for the same look again. */
-let last: { key: string; print: Promise<Print> } | null = null;
+const results = new Map<number, Written>();
 
-function printOf(from: WriterSource, options: PrintOptions): Promise<Print> {
+function printOf(written: Written, options: PrintOptions): Promise<Print> {
   const key = JSON.stringify(options);
-  if (last?.key !== key) {
-    const { result, name, margin } = from;
-    last = { key, print: preparePrint({ result, title: name, margin, options, loadFont }) };
+  if (written.last?.key !== key) {
+    const { result, name, margin } = written.source;
+    const print = preparePrint({ result, title: name, margin, options, loadFont });
+    written.last = { key, print };
   }
-  return last.print;
+  return written.last.print;
 }
 
 type Content = string | ExportedFile | Notice[];
 
-async function write(order: WriterOrder): Promise<Content> {
-  if (!source) throw new Error('The result must come first');
-  const print = await printOf(source, order.options);
+async function write(written: Written | undefined, order: WriterOrder): Promise<Content> {
+  if (!written) throw new Error('The result must come first');
+  const print = await printOf(written, order.options);
   if (order.type === 'sheet') return writeSvg(print, order.sheet);
   if (order.type === 'notices') return print.notices;
-  return exportResult(order.format, { result: source.result, name: source.name, print });
+  const { result, name } = written.source;
+  return exportResult(order.format, { result, name, print });
 }
 
-async function answer(order: WriterOrder): Promise<WriterAnswer<Content>> {
+async function answer(
+  written: Written | undefined,
+  order: WriterOrder,
+): Promise<WriterAnswer<Content>> {
   try {
-    return { type: 'written', content: await write(order) };
+    return { type: 'written', content: await write(written, order) };
   } catch (error) {
     return { type: 'failed', reason: String(error) };
   }
 }
 
-addEventListener('message', ({ data, ports }: MessageEvent<WriterInput | WriterOrder>) => {
-  if (data.type === 'input') source = data.source;
-  else void answer(data).then((said) => ports[0]?.postMessage(said, buffersOf(said)));
+addEventListener('message', ({ data, ports }: MessageEvent<WriterMessage>) => {
+  switch (data.type) {
+    case 'result':
+      results.set(data.result, { source: data.source, last: null });
+      break;
+    case 'order':
+      void answer(results.get(data.result), data.order).then((said) =>
+        ports[0]?.postMessage(said, buffersOf(said)),
+      );
+      break;
+    case 'forget':
+      results.delete(data.result);
+      break;
+  }
 });

@@ -17,10 +17,12 @@ export interface ReportInput {
   seconds: StageSeconds;
 }
 
+/** Pieces, parts and sheets count from 1, as a person sees them. */
 export interface PieceReport {
   id: number;
   name: string;
   part: number;
+  sheet: number;
   faces: number;
   cause: Piece['cause'];
   overlaps: number;
@@ -42,6 +44,7 @@ export interface Report {
   parts_requested: number | 'auto';
   parts: number;
   pieces: PieceReport[];
+  /** Per face of the file as read: its part, counted from 1; -1 if it was dropped. */
   segmentation: number[];
   size_mm: number[];
   sheets: number;
@@ -56,9 +59,10 @@ export interface Report {
 
 function pieceReport(piece: Piece): PieceReport {
   return {
-    id: piece.id,
+    id: piece.id + 1,
     name: piece.name,
-    part: piece.part,
+    part: piece.part + 1,
+    sheet: piece.sheet + 1,
     faces: piece.sources.length,
     cause: piece.cause,
     overlaps: piece.overlaps,
@@ -88,7 +92,7 @@ export function makeReport(input: ReportInput): Report {
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
     parts: result.parts,
     pieces: result.pieces.map(pieceReport),
-    segmentation: Array.from(result.segmentation),
+    segmentation: Array.from(result.segmentation, (part) => (part === -1 ? -1 : part + 1)),
     size_mm: [...extentsOf(model.vertices)],
     sheets: result.sheets.length,
     efficiency: result.efficiency,

@@ -22,6 +22,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   flapAngle: 60,
   flapBorders: false,
   flapEdges: [],
+  locks: [],
   glueStrips: 'none',
   ids: 'both',
   names: [],

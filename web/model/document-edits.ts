@@ -16,10 +16,15 @@ export type DocumentEdit =
    * least to glue; with `search` two pieces that would overlap are searched another net.
    */
   | { kind: 'join'; edge: EdgeName; open?: EdgeName; search?: boolean }
+  /**
+   * From now on the edge is always a fold, always cut, or whatever suits. A cut is joined for it, as by
+   * `join`; a fold is cut, and the piece held together elsewhere if it can be.
+   */
+  | { kind: 'lock'; edge: EdgeName; as: LockKind }
   /** Searches a part again from another seed. */
   | { kind: 'again'; part: number; seed: number }
   /** `first`: on the face at the left of the way from v to w, seen from outside. */
-  | { kind: 'flap'; edge: EdgeName; side: FlapChoiceSide }
+  | { kind: 'flap'; edge: EdgeName; side: FlapChoiceSide; height_mm?: number }
   /** A piece stays at this place: the lower left corner of its box, and its turn. */
   | { kind: 'place'; piece: number; sheet: number; x_mm: number; y_mm: number; turn_deg: number }
   | { kind: 'unpin'; piece: number }
@@ -29,6 +34,8 @@ export type DocumentEdit =
   | { kind: 'paper'; options: Readonly<Record<string, unknown>> }
   /** These of how lines look. */
   | { kind: 'print'; options: Readonly<Record<string, unknown>> };
+
+export type LockKind = 'fold' | 'cut' | 'free';
 
 export type FlapChoiceSide = 'first' | 'second' | 'both' | 'none' | 'auto';
 
@@ -60,8 +67,12 @@ const listOf =
     Array.isArray(value) && value.length >= least && value.every((item) => check(item) === null)
       ? null
       : `is not a list of ${least} or more numbers`;
-const sides: readonly unknown[] = ['first', 'second', 'both', 'none', 'auto'];
-const side: Check = (value) => (sides.includes(value) ? null : `is none of ${sides.join(', ')}`);
+const oneOf =
+  (words: readonly unknown[]): Check =>
+  (value) =>
+    words.includes(value) ? null : `is none of ${words.join(', ')}`;
+const side = oneOf(['first', 'second', 'both', 'none', 'auto']);
+const lockKind = oneOf(['fold', 'cut', 'free']);
 
 interface Shape {
   needs: Record<string, Check>;
@@ -75,8 +86,9 @@ const shapes: Record<DocumentEdit['kind'], Shape> = {
   assign: { needs: { faces: listOf(1, fromZero), part: fromOne } },
   cut: { needs: { edge } },
   join: { needs: { edge }, may: { open: edge, search: flag } },
+  lock: { needs: { edge, as: lockKind } },
   again: { needs: { part: fromOne, seed: fromZero } },
-  flap: { needs: { edge, side } },
+  flap: { needs: { edge, side }, may: { height_mm: number } },
   place: {
     needs: { piece: fromOne, sheet: fromOne, x_mm: number, y_mm: number, turn_deg: number },
   },

@@ -25,8 +25,20 @@ export interface FlapChoice {
   /** Vertices of the repaired model. */
   from: number;
   to: number;
-  /** Which of the faces beside the edge bear a flap, seen from `from` to `to` and from outside. */
-  flaps: 'none' | 'left' | 'right' | 'both';
+  /**
+   * Which of the faces beside the edge bear a flap, seen from `from` to `to` and from outside; 'usual':
+   * as with all others.
+   */
+  flaps: 'none' | 'left' | 'right' | 'both' | 'usual';
+  /** Of a full flap there, mm; that of all others unless given. */
+  height?: number;
+}
+
+/** An edge of the repaired model, by its vertices, that is always a fold, or never one. */
+export interface EdgeLock {
+  from: number;
+  to: number;
+  as: 'fold' | 'cut';
 }
 
 /** A person's name for a part. */
@@ -85,6 +97,7 @@ export interface JobOptions {
   flapBorders: boolean;
   /** Of several choices for one edge the last counts. */
   flapEdges: FlapChoice[];
+  locks: EdgeLock[];
   glueStrips: GlueStrips;
   ids: IdPlace;
   /** Parts without a name have pieces with letters. In a job with a start: parts of the result before. */
@@ -276,7 +289,9 @@ export type NetEdit =
   | { kind: 'cut'; edge: EdgeName }
   /** In one net the loop is opened at `open`, or where that leaves least to glue. */
   | { kind: 'join'; edge: EdgeName; open?: EdgeName; search?: boolean }
-  | { kind: 'assign'; faces: readonly number[]; part: number };
+  | { kind: 'assign'; faces: readonly number[]; part: number }
+  /** Makes the edge what it says; that it stays so is up to `locks` of later jobs. */
+  | { kind: 'lock'; edge: EdgeName; as: 'fold' | 'cut' | 'free' };
 
 /** An earlier result and what to change in it. No part is named by two edits of parts. */
 export interface JobStart {

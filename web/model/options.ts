@@ -323,6 +323,7 @@ export function jobOptions(settings: Settings): JobOptions {
     ...flapOptions(settings),
     // Edges, parts and pieces are chosen where they can be seen.
     flapEdges: [],
+    locks: [],
     names: [],
     pins: [],
     ids: settings.ids,

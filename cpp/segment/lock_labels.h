@@ -1,0 +1,20 @@
+#pragma once
+
+#include "segment/labels.h"
+
+namespace foldwright {
+
+/// Labels in which no fold that is never to be cut lies between two parts.
+///
+/// Panels that such folds hold together go as a whole to the part that has most of their area, the
+/// lower one of equals. What a part loses its connection to by that goes to the neighbour with the
+/// longest border to it. Parts stay connected, but one may vanish: those left are then renumbered.
+/// Without such folds the labels are returned as they are. Cost: n log n in the panels for each
+/// piece that is moved. \pre parts are connected
+Labels keep_locked_together(const DualGraph& graph, Labels labels);
+
+/// Halves, 0 and 1, of a connected graph between which no such fold lies, where those of some
+/// `labels` are lost by that. \pre not all panels are held together by such folds
+Labels halve_between_locks(const DualGraph& graph, Labels labels);
+
+}  // namespace foldwright
