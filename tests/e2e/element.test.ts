@@ -200,8 +200,8 @@ test('a studio that is removed ends its run and frees its workers, and comes bac
     await beginLongRun(one);
     await page.evaluate(() => document.querySelector('#one')!.remove());
     await expect.poll(() => count('model-worker')).toBe(1);
-    expect(count('picture-worker')).toBe(2);
-    expect(count('writer-worker')).toBe(1);
+    await expect.poll(() => count('picture-worker')).toBe(2);
+    await expect.poll(() => count('writer-worker')).toBe(1);
     // The engine's workers are there for the other one.
     await chooseSample(two, 'Cube');
     await resultIn(two, 'cube');
