@@ -90,7 +90,7 @@ Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turn
   turns.resize(std::min(turns.size(), most_turns));
   Item item;
   for (const Turn& turn : turns) {
-    const RigidMotion2 motion = settle(hull, turn);
+    const RigidMotion2 motion = turn_to_origin(hull, turn);
     item.candidates.push_back({motion, rasterize(moved(piece, motion), turn.box)});
   }
   const PieceRaster& first = item.candidates[0].raster;

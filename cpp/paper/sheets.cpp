@@ -77,7 +77,7 @@ Packing pack_in_rows(std::span<const Footprint> pieces, const Extent& room, doub
     const std::vector<Vec2> hull = convex_hull(piece.points());
     const Turn turn = choose_turn(turns_of(piece, hull), room);
     boxes.push_back(turn.box);
-    packing.turns.push_back(settle(hull, turn));
+    packing.turns.push_back(turn_to_origin(hull, turn));
   }
   RowLayout rows = lay_in_rows(boxes, room, gap);
   packing.sheet_count = rows.sheet_count;
@@ -317,7 +317,7 @@ bool fits_somehow(const Footprint& piece, const Extent& room) {
 }
 
 RigidMotion2 settle_at(const Footprint& piece, double angle) {
-  return settle(convex_hull(piece.points()), {std::cos(angle), std::sin(angle), {}});
+  return turn_to_origin(convex_hull(piece.points()), {std::cos(angle), std::sin(angle), {}});
 }
 
 double ruled_margin(const SheetOptions& options) {

@@ -60,7 +60,7 @@ Laid lay(const StripShape& shape, bool upright) {
   const std::vector<Vec2> outline(shape.outline.begin(), shape.outline.end());
   const double c = upright ? 0 : 1;
   const double s = upright ? 1 : 0;
-  const RigidMotion2 motion = settle(outline, {c, s, {}});
+  const RigidMotion2 motion = turn_to_origin(outline, {c, s, {}});
   std::vector<Vec2> turned;
   Extent box;
   for (const Vec2& p : outline) {

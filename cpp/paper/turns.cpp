@@ -59,7 +59,7 @@ std::vector<Turn> upright_turns(std::span<const Vec2> hull) {
   return turns;
 }
 
-RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn) {
+RigidMotion2 turn_to_origin(std::span<const Vec2> hull, const Turn& turn) {
   RigidMotion2 motion{turn.c, turn.s, Vec2::Zero()};
   Vec2 low(1e300, 1e300);
   for (const Vec2& p : hull) low = low.cwiseMin(motion(p));

@@ -31,7 +31,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 std::vector<Turn> upright_turns(std::span<const Vec2> hull);
 
 /// Turns a piece with this hull, and moves its box to (0, 0).
-RigidMotion2 settle(std::span<const Vec2> hull, const Turn& turn);
+RigidMotion2 turn_to_origin(std::span<const Vec2> hull, const Turn& turn);
 
 /// The same turn of other points.
 Turn turned(std::span<const Vec2> points, const Turn& turn);

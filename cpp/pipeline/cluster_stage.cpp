@@ -64,8 +64,7 @@ class ClusterStage : public Stage {
   StageId id() const override { return StageId::kCluster; }
 
   void begin(JobState& state, TaskQueue&, Events& events) override {
-    JobResult& result = state.result;
-    result.labels.assign(state.surface->mesh.faces.size(), -1);
+    state.labels.assign(state.surface->mesh.faces.size(), -1);
     for (Component& component : state.components) {
       show_matrix(component, label_component(state, component), state.options.runs, events);
       const int parts = part_count(component.labels);
@@ -76,7 +75,7 @@ class ClusterStage : public Stage {
       state.parts += parts;
     }
     label_faces(state);
-    events.push_back(SegmentedEvent{result.labels});
+    events.push_back(SegmentedEvent{state.labels});
     done_ = true;
   }
 

@@ -23,10 +23,15 @@ class CompactStage : public Stage {
  public:
   StageId id() const override { return StageId::kCompact; }
 
+  bool prepare(JobState& state) override {
+    if (!has_work(state)) return true;
+    if (!scale_finder_) scale_finder_.emplace(state);
+    return scale_finder_->step();
+  }
+
   void begin(JobState& state, TaskQueue& queue, Events&) override {
-    const auto is_kept = [](const FoundNet& net) { return net.region.kept; };
-    if (!state.options.compaction || std::ranges::all_of(state.nets, is_kept)) return;
-    scale_ = finished_scale(state);
+    if (!scale_finder_) return;
+    scale_ = scale_finder_->scale();
     begin_round(state, queue);
   }
 
@@ -53,6 +58,12 @@ class CompactStage : public Stage {
   }
 
  private:
+  /// Nets that are all kept stay as they are.
+  static bool has_work(const JobState& state) {
+    const auto is_kept = [](const FoundNet& net) { return net.region.kept; };
+    return state.options.compaction && !std::ranges::all_of(state.nets, is_kept);
+  }
+
   /// Round -1 measures what room there is.
   void begin_round(JobState& state, TaskQueue& queue) {
     if (round_ == 1 && state.options.size.by != Sizing::kSheets) {
@@ -102,6 +113,7 @@ class CompactStage : public Stage {
     return craft;
   }
 
+  std::optional<FinishedScale> scale_finder_;
   double scale_ = 1;
   int round_ = -1;
   std::optional<BorderRooms> borders_;

@@ -141,7 +141,7 @@ EarlierNets edit_nets(JobState& state, const JobStart& start) {
     const auto merged = apply_net_edit(*state.surface, scale, edit, nets);
     if (!merged) continue;
     const std::span<const PartEdit> edits(&*merged, 1);
-    state.options.names = carry_names(state.options.names, edits, number_parts(count, edits));
+    state.names = carry_names(state.names, edits, number_parts(count, edits));
   }
   return nets;
 }
@@ -212,8 +212,8 @@ void start_from_earlier(JobState& state) {
   for (std::size_t i = 0; i < start.part_edits.size(); ++i) {
     state.components[i].part_numbers = numbers.of_edit[i];
   }
-  state.options.names = carry_names(state.options.names, start.part_edits, numbers);
-  carry_pins(earlier.labels, numbers, state.options.pins);
+  state.names = carry_names(state.names, start.part_edits, numbers);
+  carry_pins(earlier.labels, numbers, state.pins);
   std::vector<std::vector<SavedNet>> nets(parts.size());
   for (const SavedNet& net : earlier.nets) {
     if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();

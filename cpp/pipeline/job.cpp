@@ -126,8 +126,8 @@ Events Job::cancel() {
       return;
     }
     // The last stage lays out whatever nets there are, unless it has done so already.
-    if (state_.result.pieces.empty()) lay_out_in_a_hurry();
-    events.push_back(CancelledEvent{std::make_shared<const JobResult>(std::move(state_.result))});
+    if (!state_.result) lay_out_in_a_hurry();
+    events.push_back(CancelledEvent{std::make_shared<const JobResult>(*std::move(state_.result))});
   });
 }
 
@@ -147,6 +147,7 @@ void Job::do_own_step(Events& events) {
     // A step of its own, so that the stage's name is out before work that is not sliced.
     phase_ = Phase::kBegin;
   } else if (phase_ == Phase::kBegin) {
+    if (!stage.prepare(state_)) return report_progress(events);
     stage.begin(state_, queue_, events);
     phase_ = Phase::kTasks;
   } else if (stage.go_on(state_, events)) {
@@ -154,7 +155,7 @@ void Job::do_own_step(Events& events) {
     phase_ = Phase::kAnnounce;
     if (++current_ == stages_.size()) {
       finished_ = true;
-      events.push_back(DoneEvent{std::make_shared<const JobResult>(std::move(state_.result))});
+      events.push_back(DoneEvent{std::make_shared<const JobResult>(*std::move(state_.result))});
     }
     return;
   }

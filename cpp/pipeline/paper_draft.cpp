@@ -20,7 +20,7 @@ Turn roomiest_turn(std::span<const Vec2> hull, const Extent& room) {
 /// its middle, in a turn.
 std::vector<std::vector<Vec2>> around_sheet(std::span<const Vec2> hull, const Turn& turn,
                                             const Extent& room, double reach) {
-  RigidMotion2 place = settle(hull, turn);
+  RigidMotion2 place = turn_to_origin(hull, turn);
   place.t += 0.5 * Vec2(room.width - turn.box.width, room.height - turn.box.height);
   const RigidMotion2 back = place.inverse();
   const auto box = [&](double x0, double y0, double x1, double y1) {
@@ -49,20 +49,22 @@ void sort_for_gluing(PaperDraft& draft) {
 PaperDrafter::PaperDrafter(const JobState& state, double scale, int effort)
     : state_(state), scale_(scale), effort_(effort), cutter_(state, state.nets, scale) {}
 
-bool PaperDrafter::step() {
+FitStep PaperDrafter::step() {
   switch (phase_) {
-    case Phase::kCut:
-      if (cutter_.step()) begin_pieces();
-      return false;
+    case Phase::kCut: {
+      const FitStep cut = cutter_.step();
+      if (cut == FitStep::kDone) begin_pieces();
+      return cut == FitStep::kDoesNotFit ? cut : FitStep::kRunning;
+    }
     case Phase::kFlaps:
       if (place_flaps_on_sheets()) begin_packing();
-      return false;
+      return FitStep::kRunning;
     case Phase::kPack:
-      if (!pack()) return false;
+      if (!pack()) return FitStep::kRunning;
       finish();
-      return true;
+      return FitStep::kDone;
   }
-  return true;
+  return FitStep::kDone;
 }
 
 void PaperDrafter::begin_pieces() {
@@ -70,7 +72,7 @@ void PaperDrafter::begin_pieces() {
   for (const FoundNet& net : draft_.nets) draft_.flat.push_back(flatten(state_, net, scale_));
   sort_for_gluing(draft_);
   for (const FoundNet& net : draft_.nets) parts_.push_back(net.region.part);
-  draft_.names = piece_names(parts_, state_.options.names);
+  draft_.names = piece_names(parts_, state_.names);
   phase_ = Phase::kFlaps;
 }
 
@@ -101,7 +103,7 @@ void PaperDrafter::begin_packing() {
     draft_.prints.back().fitting_turn = held_[i];
   }
   pins_.resize(draft_.nets.size());
-  for (const PinnedPiece& pinned : state_.options.pins) {
+  for (const PinnedPiece& pinned : state_.pins) {
     const auto is_it = [&](std::size_t i) {
       return parts_[i] == pinned.part && draft_.flat[i].faces[0] == pinned.face;
     };

@@ -24,12 +24,14 @@ class PaperDrafter {
   /// `scale`: millimetres per model unit; `effort`: see `SheetTask`. The state must outlive this.
   PaperDrafter(const JobState& state, double scale, int effort);
 
-  /// Does some milliseconds of work; true when the draft is done.
-  /// \throw InputError if margins leave nothing of the sheet, a single face does not fit it, or a
-  /// pinned piece cannot stay
-  bool step();
+  /// Does some milliseconds of work.
+  /// \throw InputError if margins leave nothing of the sheet, or a pinned piece cannot stay
+  FitStep step();
 
-  /// \pre `step` returned true; leaves this empty
+  /// Says which face fits no sheet. \pre `step` came to that
+  InputError misfit() const { return cutter_.misfit(); }
+
+  /// \pre `step` was done; leaves this empty
   PaperDraft take() { return std::move(draft_); }
 
  private:

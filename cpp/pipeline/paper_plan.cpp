@@ -61,7 +61,14 @@ bool PaperPlanner::step() {
       search();
       return false;
     case Phase::kDraft:
-      if (!drafter_->step()) return false;
+      switch (drafter_->step()) {
+        case FitStep::kRunning:
+          return false;
+        case FitStep::kDoesNotFit:
+          throw drafter_->misfit();
+        case FitStep::kDone:
+          break;
+      }
       plan_.draft = drafter_->take();
       if (takes_too_many_sheets()) {
         begin_search();
@@ -102,16 +109,13 @@ void PaperPlanner::begin_search() {
 /// One step of the search for the largest scale that goes on so many sheets.
 void PaperPlanner::search() {
   const double tried = range_.low > 0 ? 0.5 * (range_.low + range_.high) : range_.high / 2;
-  bool fits = false;
-  try {
-    if (!drafter_->step()) return;
-    fits = drafter_->take().sheets.sheet_count <= static_cast<int>(state_.options.size.value);
-  } catch (const InputError& error) {
-    // A face that fits no sheet at the larger scale counts as too large as well.
-    if (error.code() != kFaceTooLarge) throw;
-    if (range_.low == 0 && range_.trials == kMostHalvings) throw;
-  }
+  const FitStep step = drafter_->step();
+  if (step == FitStep::kRunning) return;
+  // A face that fits no sheet at this scale counts as too large as well.
+  const bool fits = step == FitStep::kDone && drafter_->take().sheets.sheet_count <=
+                                                  static_cast<int>(state_.options.size.value);
   if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {
+    if (step == FitStep::kDoesNotFit) throw drafter_->misfit();
     throw InputError("too-few-sheets", "the pieces do not go on so few sheets at any size");
   }
   ++range_.trials;
@@ -186,15 +190,22 @@ PaperPlan plan_paper(const JobState& state, bool in_a_hurry) {
   return planner.take();
 }
 
-double finished_scale(const JobState& state) {
-  switch (state.options.size.by) {
-    case Sizing::kFit:
-      return fitting_scale(state);
-    case Sizing::kSheets:
-      return plan_paper(state, true).draft.sheets.scale;
-    default:
-      return fixed_scale(state.surface->mesh, state.options.size);
+FinishedScale::FinishedScale(const JobState& state) : state_(state) {
+  if (state.options.size.by == Sizing::kFit) finder_.emplace(state);
+  if (state.options.size.by == Sizing::kSheets) planner_.emplace(state, true);
+}
+
+bool FinishedScale::step() {
+  if (finder_) {
+    if (!finder_->step()) return false;
+    scale_ = finder_->scale();
+  } else if (planner_) {
+    if (!planner_->step()) return false;
+    scale_ = planner_->take().draft.sheets.scale;
+  } else {
+    scale_ = fixed_scale(state_.surface->mesh, state_.options.size);
   }
+  return true;
 }
 
 }  // namespace foldwright

@@ -67,8 +67,23 @@ class PaperPlanner {
 /// The plan, all at once.
 PaperPlan plan_paper(const JobState& state, bool in_a_hurry = false);
 
-/// The scale in millimetres per model unit at which `plan_paper` would lay the nets of a state out;
-/// with a number of sheets what a planner in a hurry comes to. Throws what it throws.
-double finished_scale(const JobState& state);
+/// Finds the scale in millimetres per model unit at which `plan_paper` would lay the nets of a
+/// state out; with a number of sheets what a planner in a hurry comes to. Throws what that throws.
+class FinishedScale {
+ public:
+  /// The state must outlive this.
+  explicit FinishedScale(const JobState& state);
+
+  /// Does some milliseconds of work; true when it is found.
+  bool step();
+
+  double scale() const { return scale_; }
+
+ private:
+  const JobState& state_;
+  std::optional<ScaleFinder> finder_;
+  std::optional<PaperPlanner> planner_;
+  double scale_ = 1;
+};
 
 }  // namespace foldwright

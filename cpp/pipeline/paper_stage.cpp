@@ -24,7 +24,7 @@ std::vector<int> source_segmentation(const JobState& state) {
     if (part != -1) continue;
     const int standin =
         state.face_standins.empty() ? static_cast<int>(face) : state.face_standins[face];
-    part = state.result.labels[standin];
+    part = state.labels[standin];
   }
   return segmentation;
 }
@@ -98,7 +98,7 @@ const char* unit_name(Unit unit) {
 /// Where pieces hang together by little. Whoever knows may strengthen them with tape.
 void add_neck_notice(JobState& state) {
   std::string names;
-  for (const Piece& piece : state.result.pieces) {
+  for (const Piece& piece : state.result->pieces) {
     if (piece.necks.empty()) continue;
     names += (names.empty() ? "" : ", ") + piece.name;
   }
@@ -118,7 +118,7 @@ void add_size_notices(JobState& state) {
                                                  unit_name(unit.unit) + " were assumed"});
   }
   std::map<int, int> recut;  // pieces of each part that was too large
-  for (const Piece& piece : state.result.pieces) {
+  for (const Piece& piece : state.result->pieces) {
     if (piece.cause == Cause::kSheet) ++recut[piece.part];
   }
   for (const auto& [part, count] : recut) {
@@ -170,7 +170,8 @@ class PaperStage : public Stage {
   }
 
   void end(JobState& state, Events& events) override {
-    JobResult& result = state.result;
+    JobResult& result = state.result.emplace();
+    result.labels = state.labels;
     result.segmentation = source_segmentation(state);
     result.pieces = std::move(pieces_);
     PaperDraft& draft = plan_->draft;
@@ -197,7 +198,7 @@ class PaperStage : public Stage {
     result.mesh = state.surface->mesh;
     result.repairs = std::move(state.model.repairs);
     result.parts = state.parts;
-    result.names = state.options.names;
+    result.names = state.names;
     result.moves = state.moves;
     result.generations = state.generations;
     result.notices = std::move(state.notices);

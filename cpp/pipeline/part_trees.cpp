@@ -64,9 +64,9 @@ Region PartTrees::region(const JobState& state, int part) const {
   return region;
 }
 
-void PartTrees::settle(int part, FoundNet net) { trees_[part] = {std::move(net), 0, 0}; }
+void PartTrees::accept(int part, FoundNet net) { trees_[part] = {std::move(net), 0, 0}; }
 
-void PartTrees::leave_open(Region region, Candidate candidate) {
+void PartTrees::postpone(Region region, Candidate candidate) {
   const int part = region.part;
   const bool is_far = is_far_from_net(region, candidate) || is_far_from_motion(candidate);
   if (is_far && may_regroup(part)) {

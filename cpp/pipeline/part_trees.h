@@ -41,9 +41,9 @@ class PartTrees {
   Region region(const JobState& state, int part) const;
 
   /// The part has what was asked, or gets no more.
-  void settle(int part, FoundNet net);
+  void accept(int part, FoundNet net);
   /// The part has not, and waits for an exchange.
-  void leave_open(Region region, Candidate candidate);
+  void postpone(Region region, Candidate candidate);
 
   /// Regroups the first part that is to be, and says which are to be searched anew: they are
   /// forgotten until then. A part that cannot be regrouped is among them if it has a net. Empty

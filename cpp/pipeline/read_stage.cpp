@@ -165,6 +165,8 @@ class ReadStage : public Stage {
 
   void begin(JobState& state, TaskQueue&, Events& events) override {
     check_options(state.options);
+    state.names = state.options.names;
+    state.pins = state.options.pins;
     const PolygonSoup soup = read_upright(state);
     state.file.clear();
     state.file.shrink_to_fit();

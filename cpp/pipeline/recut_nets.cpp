@@ -157,13 +157,6 @@ bool ScaleFinder::fits_at(double scale) const {
   return true;
 }
 
-double fitting_scale(const JobState& state) {
-  ScaleFinder finder(state);
-  while (!finder.step()) {
-  }
-  return finder.scale();
-}
-
 NetCutter::NetCutter(const JobState& state, std::vector<FoundNet> nets, double scale)
     : state_(state), scale_(scale), open_(std::move(nets)) {
   if (state.options.size.by == Sizing::kFit) {
@@ -173,30 +166,34 @@ NetCutter::NetCutter(const JobState& state, std::vector<FoundNet> nets, double s
   std::ranges::reverse(open_);
 }
 
-bool NetCutter::step() {
-  if (open_.empty()) return true;
+FitStep NetCutter::step() {
+  if (open_.empty()) return FitStep::kDone;
   FoundNet next = std::move(open_.back());
   open_.pop_back();
   const Extent room = printable(state_.options.sheet);
   const Net net = flatten(state_, next, scale_);
   if (fits_somehow(footprint_of(net), room)) {
     fitting_.push_back(std::move(next));
-    return open_.empty();
+    return open_.empty() ? FitStep::kDone : FitStep::kRunning;
   }
   const auto [plates, folds] = plates_of(graph_of(state_, next), next, net);
-  if (folds.empty()) throw too_large(state_, net);
+  if (folds.empty()) {
+    misfit_ = too_large(state_, net);
+    return FitStep::kDoesNotFit;
+  }
   const int fold = folds[choose_cut(plates, room)];
   auto halves = split_net(state_.components[next.region.component], next, fold);
   // The first half is looked at first, so that pieces come in order.
   open_.push_back(std::move(halves[1]));
   open_.push_back(std::move(halves[0]));
-  return false;
+  return FitStep::kRunning;
 }
 
 std::vector<FoundNet> recut_nets(const JobState& state, std::vector<FoundNet> nets, double scale) {
   NetCutter cutter(state, std::move(nets), scale);
-  while (!cutter.step()) {
-  }
+  FitStep step = FitStep::kRunning;
+  while (step == FitStep::kRunning) step = cutter.step();
+  if (step == FitStep::kDoesNotFit) throw cutter.misfit();
   return cutter.take();
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "mesh/input_error.h"
 #include "pipeline/state.h"
 
 namespace foldwright {
 
-/// Code of what is thrown for a single face that fits no sheet.
+/// Code of the error for a single face that fits no sheet.
 inline constexpr const char* kFaceTooLarge = "face-too-large";
 
 /// Looks at the size asked for before anything is searched: a flat face cannot be cut again.
@@ -33,8 +34,8 @@ class ScaleFinder {
   int trials_ = 0;
 };
 
-/// The scale that it finds.
-double fitting_scale(const JobState& state);
+/// What a step of work comes to that ends where a single face is larger than a sheet.
+enum class FitStep { kRunning, kDone, kDoesNotFit };
 
 /// Cuts nets again until every piece fits the sheet; nets that fit stay as they are, and so do all
 /// where the size asked for is the one that fits.
@@ -43,11 +44,14 @@ class NetCutter {
   /// `scale`: millimetres per model unit. The state must outlive this.
   NetCutter(const JobState& state, std::vector<FoundNet> nets, double scale);
 
-  /// Looks at one net and cuts it once if it must; true when all fit.
-  /// \throw InputError if margins leave nothing of the sheet, or a single face does not fit it
-  bool step();
+  /// Looks at one net and cuts it once if it must; done when all fit.
+  /// \throw InputError if margins leave nothing of the sheet
+  FitStep step();
 
-  /// The pieces in the order of the nets. \pre `step` returned true; leaves this empty
+  /// Says what does not fit. \pre `step` came to that
+  InputError misfit() const { return *misfit_; }
+
+  /// The pieces in the order of the nets. \pre `step` was done; leaves this empty
   std::vector<FoundNet> take() { return std::move(fitting_); }
 
  private:
@@ -55,9 +59,10 @@ class NetCutter {
   double scale_;
   std::vector<FoundNet> open_;  ///< the next one last
   std::vector<FoundNet> fitting_;
+  std::optional<InputError> misfit_;
 };
 
-/// All of it at once.
+/// All of it at once. \throw InputError `kFaceTooLarge` if a single face does not fit the sheet
 std::vector<FoundNet> recut_nets(const JobState& state, std::vector<FoundNet> nets, double scale);
 
 }  // namespace foldwright

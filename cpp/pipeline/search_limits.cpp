@@ -55,7 +55,7 @@ bool is_exchangeable(const JobState& state, const Region& region) {
          state.options.solver == Solver::kTree;
 }
 
-void examine(const JobState& state, Region& region) {
+void note_limits(const JobState& state, Region& region) {
   if (state.options.folding == FoldingMode::kOff) return;
   const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
   region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));

@@ -17,9 +17,9 @@ bool is_component(const JobState& state, const Region& region);
 bool is_exchangeable(const JobState& state, const Region& region);
 
 /// Notes what stands in the way of a motion.
-void examine(const JobState& state, Region& region);
+void note_limits(const JobState& state, Region& region);
 
-/// Whether a motion is looked for; `examine` must have looked at the region.
+/// Whether a motion is looked for; `note_limits` must have looked at the region.
 bool wants_motion(const JobState& state, const Region& region);
 
 /// Whether a net that does not fold straight is left at that: planning a motion for many panels

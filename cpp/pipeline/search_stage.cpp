@@ -91,7 +91,7 @@ class SearchStage : public Stage {
       searched(state, queue, task, std::get<SearchResult>(result), events);
     }
     if (!searches_.empty() || trees_->exchanging() || regroup(state, queue)) return;
-    if (!trees_->begin_exchange(state, queue)) give_in_to_rest(state, queue, events);
+    if (!trees_->begin_exchange(state, queue)) accept_or_split_rest(state, queue, events);
     if (searches_.empty() && waiting_.empty() && !trees_->exchanging()) finish(state, queue);
   }
 
@@ -104,7 +104,7 @@ class SearchStage : public Stage {
       label_faces(state);
       labels_changed_ |= state.parts != parts;
     }
-    if (labels_changed_) events.push_back(SegmentedEvent{state.result.labels});
+    if (labels_changed_) events.push_back(SegmentedEvent{state.labels});
     add_search_notices(state);
   }
 
@@ -151,7 +151,7 @@ class SearchStage : public Stage {
   void keep(JobState& state, TaskQueue& queue, Component& component, Events& events) {
     for (FoundNet& net : std::exchange(component.kept, {})) {
       // It is told again why it does not fold.
-      if (!net.motion.certified()) examine(state, net.region);
+      if (!net.motion.certified()) note_limits(state, net.region);
       const bool is_new = net.motion.kind == Folding::kUnchecked;
       Search search{std::move(net.region), 0, 0, {}, {}};
       search.best = {std::move(net.folds), 0, 0, std::move(net.motion)};
@@ -161,13 +161,13 @@ class SearchStage : public Stage {
         search.key = key_of(search.region);
         plan(state, queue, std::move(search));
       } else {
-        settle(state, std::move(search), events);
+        accept(state, std::move(search), events);
       }
     }
   }
 
   void start(const JobState& state, TaskQueue& queue, Region region, FoldTree initial = {}) {
-    examine(state, region);
+    note_limits(state, region);
     const std::uint64_t key = key_of(region);
     queue_attempt(state, queue, {std::move(region), key, 0, {}, std::move(initial)});
   }
@@ -221,16 +221,16 @@ class SearchStage : public Stage {
     }
     const bool is_enough = best.motion.certified() || state.options.folding == FoldingMode::kOff;
     if (best.is_net() && is_enough) {
-      settle(state, std::move(search), events);
+      accept(state, std::move(search), events);
     } else if (best.is_net() && !wants_motion(state, search.region)) {
-      give_in(state, queue, std::move(search), events);
+      accept_or_split(state, queue, std::move(search), events);
     } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
     } else if (++search.attempt < attempts_of(state, search) &&
                !is_hopeless(state, search.region, best)) {
       queue_attempt(state, queue, std::move(search));
     } else if (best.is_net() && is_too_large_to_plan(state, search.region)) {
-      give_in(state, queue, std::move(search), events);
+      accept_or_split(state, queue, std::move(search), events);
     } else if (best.is_net() && !is_for_regrouping(state, search)) {
       plan(state, queue, std::move(search));
     } else {
@@ -255,7 +255,7 @@ class SearchStage : public Stage {
     Search search = take_search(task);
     search.best.motion = result.motion;
     if (result.motion.certified() || search.region.kept) {
-      settle(state, std::move(search), events);
+      accept(state, std::move(search), events);
     } else {
       unsolved(state, queue, std::move(search), events);
     }
@@ -264,9 +264,9 @@ class SearchStage : public Stage {
   /// A region that has no net, or none that folds.
   void unsolved(JobState& state, TaskQueue& queue, Search search, Events& events) {
     if (is_exchangeable(state, search.region) && !search.at_last) {
-      trees_->leave_open(std::move(search.region), std::move(search.best));
+      trees_->postpone(std::move(search.region), std::move(search.best));
     } else {
-      give_in(state, queue, std::move(search), events);
+      accept_or_split(state, queue, std::move(search), events);
     }
   }
 
@@ -295,14 +295,14 @@ class SearchStage : public Stage {
 
   /// After the last exchange borders stand still, and what it did not cure is tried from more seeds
   /// or gives in.
-  void give_in_to_rest(JobState& state, TaskQueue& queue, Events& events) {
+  void accept_or_split_rest(JobState& state, TaskQueue& queue, Events& events) {
     for (auto& [part, candidate] : trees_->take_uncured()) {
       Search search{trees_->region(state, part), 0, 0, std::move(candidate), {}};
       if (!deserves_last_attempts(state, search.region, search.best)) {
-        give_in(state, queue, std::move(search), events);
+        accept_or_split(state, queue, std::move(search), events);
         continue;
       }
-      examine(state, search.region);
+      note_limits(state, search.region);
       search.key = key_of(search.region);
       search.attempt = attempts_for(state, search.region, false);
       search.at_last = true;
@@ -311,10 +311,10 @@ class SearchStage : public Stage {
   }
 
   /// Takes a net without a motion, where none is required, or splits the region.
-  void give_in(JobState& state, TaskQueue& queue, Search search, Events& events) {
+  void accept_or_split(JobState& state, TaskQueue& queue, Search search, Events& events) {
     const bool is_net = search.best.is_net();
     if (is_net && state.options.folding != FoldingMode::kRequire) {
-      settle(state, std::move(search), events);
+      accept(state, std::move(search), events);
     } else if (state.options.solver == Solver::kTree && search.best.overlaps > 0) {
       cut_between_overlaps(state, queue, std::move(search));
     } else {
@@ -336,7 +336,7 @@ class SearchStage : public Stage {
   }
 
   /// The region keeps its best tree as its net.
-  void settle(JobState& state, Search search, Events& events) {
+  void accept(JobState& state, Search search, Events& events) {
     Region& region = search.region;
     if (region.meets_itself) search.best.motion.kind = Folding::kNone;
     const int part = region.part;
@@ -349,7 +349,7 @@ class SearchStage : public Stage {
     FoundNet net{std::move(region), std::move(search.best.folds), std::move(search.best.motion),
                  search.place};
     if (is_part) {
-      trees_->settle(part, std::move(net));
+      trees_->accept(part, std::move(net));
     } else {
       state.nets.push_back(std::move(net));
     }

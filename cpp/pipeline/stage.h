@@ -25,14 +25,17 @@ using Running = std::map<int, TaskStatus>;
 
 /// One named step of a job: some work of its own, and parallel work cut into tasks.
 ///
-/// `begin` runs once and may queue tasks; `complete` takes their results, in whatever order they
-/// come, and may queue more; when no task is left, `go_on` runs until it is done, and then `end`
-/// once. What comes out must not depend
-/// on the order of the results.
+/// `prepare` runs until it is done; then `begin` runs once and may queue tasks; `complete` takes
+/// their results, in whatever order they come, and may queue more; when no task is left, `go_on`
+/// runs until it is done, and then `end` once. What comes out must not depend on the order of the
+/// results.
 class Stage {
  public:
   virtual ~Stage() = default;
   virtual StageId id() const = 0;
+  /// Does some milliseconds of work that has to be done before tasks are known; true when none is
+  /// left.
+  virtual bool prepare(JobState&) { return true; }
   virtual void begin(JobState& state, TaskQueue& queue, Events& events) = 0;
   virtual void complete(JobState&, TaskQueue&, int /*task*/, TaskResult, Events&) {}
   /// Does some milliseconds of work that cannot be split into tasks; true when none is left.

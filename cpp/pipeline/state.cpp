@@ -67,7 +67,7 @@ void label_faces(JobState& state) {
   for (const Component& component : state.components) {
     for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
       const int part = component.part_numbers[component.labels[panel]];
-      for (const int face : component.graph.panel_faces(panel)) state.result.labels[face] = part;
+      for (const int face : component.graph.panel_faces(panel)) state.labels[face] = part;
     }
   }
 }

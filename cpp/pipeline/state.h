@@ -81,12 +81,16 @@ struct JobState {
   std::vector<int> source_faces;  ///< per face of the repaired model
   std::vector<Component> components;
   int parts = 0;
+  std::vector<int> labels;  ///< per face of `surface`: the number of its part
+  /// As the options have them, by the numbers that parts have after the edits of a start.
+  std::vector<PartName> names;
+  std::vector<PinnedPiece> pins;
   std::vector<FoundNet> nets;
   bool in_a_hurry = false;  ///< the job was cancelled, and what there is has to be shown soon
   std::int64_t moves = 0;
   int generations = 0;
   std::vector<Notice> notices;
-  JobResult result;
+  std::optional<JobResult> result;  ///< what the last stage makes of all of that
 };
 
 /// Size and sheets of the earlier result, if nets shall stay where they are; or null.
@@ -99,7 +103,7 @@ void sort_nets(JobState& state);
 /// \pre nets are sorted, and all panels are in nets
 void make_parts_of_pieces(JobState& state);
 
-/// Labels all faces in `state.result` by the parts of their panels. \pre parts have numbers
+/// Labels all faces by the parts of their panels. \pre parts have numbers
 void label_faces(JobState& state);
 
 }  // namespace foldwright

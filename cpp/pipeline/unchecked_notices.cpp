@@ -39,7 +39,7 @@ std::string sentence(Why why, const std::string& pieces) {
 void add_unchecked_notices(JobState& state, std::span<const FoundNet> nets) {
   std::map<Why, std::vector<std::string>> names;
   for (std::size_t i = 0; i < nets.size(); ++i) {
-    const Piece& piece = state.result.pieces[i];
+    const Piece& piece = state.result->pieces[i];
     if (piece.motion.kind != Folding::kUnchecked) continue;
     names[why_unchecked(state, nets[i].region)].push_back(piece.name);
   }

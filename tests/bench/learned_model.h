@@ -36,7 +36,7 @@ inline std::vector<int> parts_of(JobState state, int parts) {
   TaskQueue queue;
   Events events;
   make_cluster_stage()->begin(state, queue, events);
-  return state.result.labels;
+  return state.labels;
 }
 
 }  // namespace foldwright::testing

@@ -25,7 +25,7 @@ JobState state_before_search() {
   }
   component.part_numbers = {0, 1};
   state.components.push_back(std::move(component));
-  state.result.labels.resize(state.surface->mesh.faces.size());
+  state.labels.resize(state.surface->mesh.faces.size());
   return state;
 }
 
@@ -46,7 +46,7 @@ TEST(PartTrees, KnowThePanelsOfEachPart) {
   }
   label_faces(state);
   for (int face = 0; face < state.surface->mesh.face_count(); ++face) {
-    EXPECT_EQ(state.result.labels[face], face < 8 ? 0 : 1);
+    EXPECT_EQ(state.labels[face], face < 8 ? 0 : 1);
   }
 }
 
@@ -57,7 +57,7 @@ TEST(PartTrees, ExchangePartsOneByOneInTheirOrder) {
   EXPECT_FALSE(trees.begin_exchange(state, queue));
   for (const int part : {1, 0}) {
     const Region region = trees.region(state, part);
-    trees.leave_open(region, {any_tree(state, region), 1 - part, 1, {}});
+    trees.postpone(region, {any_tree(state, region), 1 - part, 1, {}});
   }
   for (const int part : {0, 1}) {
     ASSERT_TRUE(trees.begin_exchange(state, queue));
@@ -86,7 +86,7 @@ TEST(PartTrees, SearchAPartFarFromFoldingAgainWhereNoneCanBeSplitInstead) {
   for (const int part : {0, 1}) {
     const Region region = trees.region(state, part);
     EXPECT_TRUE(trees.may_regroup(part));
-    trees.leave_open(region, {any_tree(state, region), 0, part == 0 ? 1000 : 1, {}});
+    trees.postpone(region, {any_tree(state, region), 0, part == 0 ? 1000 : 1, {}});
   }
   const Labels before = state.components[0].labels;
   EXPECT_EQ(trees.regroup_next(state), std::vector{0});
@@ -101,7 +101,7 @@ TEST(PartTrees, KeepTheNetOfANeighbourThatStillDoesNotFold) {
   TaskQueue queue;
   for (const int part : {0, 1}) {
     const Region region = trees.region(state, part);
-    trees.leave_open(region, {any_tree(state, region), 0, 3, {}});
+    trees.postpone(region, {any_tree(state, region), 0, 3, {}});
   }
   ASSERT_TRUE(trees.begin_exchange(state, queue));
   // Part 1 lost a panel to part 0, and is a net that comes to two collisions.

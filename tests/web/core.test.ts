@@ -5,7 +5,7 @@ import { poolSize } from '../../web/core/pool-size.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
-import { TaskDesk } from '../../web/core/task-desk.js';
+import { TaskDispatcher } from '../../web/core/task-dispatcher.js';
 import { buffersOf } from '../../web/core/transfer.js';
 import type { JobEvent } from '../../web/model/job.js';
 import type { Stage } from '../../web/model/stages.js';
@@ -129,11 +129,11 @@ describe('poolSize', () => {
   });
 });
 
-describe('TaskDesk', () => {
+describe('TaskDispatcher', () => {
   const bytes = new Uint8Array(1);
 
   it('gives each helper one task at a time, and a surface only once', () => {
-    const desk = new TaskDesk();
+    const desk = new TaskDispatcher();
     for (const id of [0, 1, 2]) desk.add(id, 7, bytes);
     desk.join(5);
     expect(desk.assign()).toMatchObject({ helper: 5, task: { id: 0 }, needsSurface: true });
@@ -146,7 +146,7 @@ describe('TaskDesk', () => {
   });
 
   it('gives the task of a dead helper to the next one, and never to the conductor', () => {
-    const desk = new TaskDesk();
+    const desk = new TaskDispatcher();
     for (const id of [0, 1]) desk.add(id, 7, bytes);
     desk.join(5);
     desk.assign();
@@ -158,7 +158,7 @@ describe('TaskDesk', () => {
   });
 
   it('leaves nothing undone when there are no helpers any more', () => {
-    const desk = new TaskDesk();
+    const desk = new TaskDispatcher();
     desk.add(0, 7, bytes);
     desk.join(5);
     desk.assign();

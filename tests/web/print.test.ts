@@ -90,7 +90,7 @@ describe('corrected sheets', () => {
     expect(u).toBeCloseTo(105 + (x - 105) * (50 / 49), 9);
     expect(v).toBeCloseTo(148.5 + (y - 148.5) * (50 / 50.5), 9);
     expect(corrected.notices).toEqual([]);
-    const texts = corrected.sheets[0]!.furniture.texts.map(({ text }) => text);
+    const texts = corrected.sheets[0]!.frame.texts.map(({ text }) => text);
     expect(texts).toContain('sheet 1 of 1 · print at 100 % · corrected for 49 × 50.5 mm');
   });
 
@@ -102,7 +102,7 @@ describe('corrected sheets', () => {
 
 describe('the legend', () => {
   const words = async (result: JobResult): Promise<string[]> =>
-    (await printOf(result)).sheets[0]!.furniture.texts.map(({ text }) => text);
+    (await printOf(result)).sheets[0]!.frame.texts.map(({ text }) => text);
 
   it('tells what occurs, and only that', async () => {
     expect(await words(cubeResult())).toEqual(expect.arrayContaining(['cut', 'mountain fold']));
@@ -115,7 +115,7 @@ describe('the legend', () => {
 
   it('can be left out', async () => {
     const { sheets } = await printOf(cubeResult(), { options: { legend: false } });
-    expect(sheets[0]!.furniture.texts.map(({ text }) => text)).not.toContain('cut');
+    expect(sheets[0]!.frame.texts.map(({ text }) => text)).not.toContain('cut');
   });
 
   it('goes into the margin where the sheet is full, and is missed where there is none', async () => {
@@ -130,7 +130,7 @@ describe('the legend', () => {
       foldAngles: new Float64Array(),
     });
     const { sheets } = await printOf(full);
-    const legend = sheets[0]!.furniture.texts.find(({ text }) => text === 'cut')!;
+    const legend = sheets[0]!.frame.texts.find(({ text }) => text === 'cut')!;
     expect(legend.at[1]).toBeGreaterThan(287);
     const { notices } = await printOf(full, { margin: 5 });
     expect(notices.map(({ code }) => code)).toEqual(['no-legend']);

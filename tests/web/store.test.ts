@@ -30,7 +30,7 @@ class Bench {
     },
     draw: () => this.drawing(),
     follow: () => undefined,
-    hear: () => undefined,
+    onEvent: () => undefined,
     life: this.life.signal,
   });
   private readonly drawn: Drawing = {

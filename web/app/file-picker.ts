@@ -29,20 +29,20 @@ export class FilePicker extends Panel {
       this.input.value = '';
       if (files.length > 0) this.onFiles(files);
     });
-    this.hear('dragenter', (event) => this.enter(event, 1));
-    this.hear('dragleave', (event) => this.enter(event, -1));
-    this.hear('dragover', (event) => {
+    this.listen('dragenter', (event) => this.enter(event, 1));
+    this.listen('dragleave', (event) => this.enter(event, -1));
+    this.listen('dragover', (event) => {
       if (isForStudio(event)) event.preventDefault();
     });
-    this.hear('drop', (event) => this.drop(event));
+    this.listen('drop', (event) => this.drop(event));
   }
 
-  private hear(type: string, take: (event: DragEvent) => void): void {
+  private listen(type: string, take: (event: DragEvent) => void): void {
     const { ground, life } = this.place;
-    const hear = (event: Event): void => {
+    const listener = (event: Event): void => {
       if (event instanceof DragEvent) take(event);
     };
-    ground.addEventListener(type, hear, { signal: life });
+    ground.addEventListener(type, listener, { signal: life });
   }
 
   private enter(event: DragEvent, change: number): void {

@@ -7,13 +7,13 @@ export class HatchSwitch extends Panel {
     super(place);
     const box = this.find('#hatch', HTMLInputElement);
     const studio = this.find('.studio', HTMLElement);
-    const tell = (): void => {
+    const report = (): void => {
       // Sheets carry both fills; which one shows is a matter of style.
       studio.toggleAttribute('data-hatched', box.checked);
       onChange(box.checked);
     };
-    box.addEventListener('change', tell);
+    box.addEventListener('change', report);
     // A reloaded page may come back with the box ticked.
-    tell();
+    report();
   }
 }

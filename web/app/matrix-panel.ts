@@ -9,11 +9,11 @@ export class MatrixPanel extends Panel {
 
   clear(): void {
     this.words.textContent = 'every pair of faces is a dot';
-    this.picture.tell({ type: 'nothing' });
+    this.picture.post({ type: 'nothing' });
   }
 
   /** Shows the matrix of a run whose parts are chosen; null if nothing was learned for them. */
-  settle(matrix: MatrixPicture | null): void {
+  finish(matrix: MatrixPicture | null): void {
     this.clear();
     if (matrix) this.show(matrix);
     else this.words.textContent = 'nothing had to be learned for these parts';
@@ -21,6 +21,6 @@ export class MatrixPanel extends Panel {
 
   show(matrix: MatrixPicture): void {
     this.words.textContent = matrix.blocks ? 'each frame is a part' : 'darker: more often together';
-    this.picture.tell({ type: 'matrix', matrix });
+    this.picture.post({ type: 'matrix', matrix });
   }
 }

@@ -27,7 +27,7 @@ export class ModelPanel extends Panel {
     onPick: (part) => this.onPick(part),
   });
   private readonly folding = new FoldingPanel(this.place, (time) =>
-    this.view.tell({ type: 'time', time }),
+    this.view.post({ type: 'time', time }),
   );
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
@@ -50,7 +50,7 @@ export class ModelPanel extends Panel {
     this.name.textContent = run.modelName;
     this.run = run;
     this.folding.clear();
-    this.view.tell({ type: 'model', vertices, faces });
+    this.view.post({ type: 'model', vertices, faces });
   }
 
   /** Shows the repaired model in its final colours; that of the same run only changes its colours. */
@@ -60,7 +60,7 @@ export class ModelPanel extends Panel {
     // A run that was cancelled may have left faces in no piece: they could not fold with the others.
     const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
     if (covered !== model.faces.length / 3) return;
-    this.view.tell({ type: 'folding', model, pieces });
+    this.view.post({ type: 'folding', model, pieces });
     this.folding.offer(pieces);
   }
 
@@ -71,16 +71,16 @@ export class ModelPanel extends Panel {
 
   /** Colours the faces by their parts. */
   paint(labels: Int32Array): void {
-    this.view.tell({ type: 'labels', labels });
+    this.view.post({ type: 'labels', labels });
   }
 
   /** Lets parts stand out from all others, unless there are none. */
   select(parts: readonly number[]): void {
-    this.view.tell({ type: 'selected', parts });
+    this.view.post({ type: 'selected', parts });
   }
 
   hatch(hatched: boolean): void {
-    this.view.tell({ type: 'hatched', hatched });
+    this.view.post({ type: 'hatched', hatched });
   }
 
   /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
@@ -91,7 +91,7 @@ export class ModelPanel extends Panel {
   /** Turns slowly, unless the person would rather have things rest. */
   turn(turning: boolean): void {
     const wanted = turning && !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.view.tell({ type: 'turning', turning: wanted });
+    this.view.post({ type: 'turning', turning: wanted });
   }
 
   private excuse(words: string): void {

@@ -67,11 +67,11 @@ export class NetPanel extends Panel {
   private draw(): void {
     const { net, labels, hatched } = this;
     if (!net) {
-      this.picture.tell({ type: 'nothing' });
+      this.picture.post({ type: 'nothing' });
       return;
     }
     const parts = net.sources.map((face) => labels?.[face] ?? this.part);
-    this.picture.tell({ type: 'net', net, parts, hatched });
+    this.picture.post({ type: 'net', net, parts, hatched });
   }
 
   private addChip(part: number): void {

@@ -111,7 +111,7 @@ export class ResultPanel extends Panel {
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
       ),
     );
-    this.tell(result, notices);
+    this.showRemarks(result, notices);
     this.downloads.offer(writer);
     this.steps.offer(result.pieces);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
@@ -131,11 +131,11 @@ export class ResultPanel extends Panel {
     const notices = await writer.notices();
     if (shown !== this.shownRun || looks !== this.looks) return;
     this.sheets.replace(sheets);
-    this.tell(run.result, notices);
+    this.showRemarks(run.result, notices);
   }
 
   /** The report in words. */
-  private tell(result: JobResult, notices: readonly Notice[]): void {
+  private showRemarks(result: JobResult, notices: readonly Notice[]): void {
     const remarks = [
       ...remarkList('Repaired before unfolding', repairRemarks(result)),
       ...remarkList('Worth knowing', [...netRemarks(result), ...noticeRemarks(notices)]),

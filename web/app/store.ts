@@ -47,7 +47,7 @@ export interface StoreNeeds {
   /** Hears what goes on in the present work. */
   follow(event: TimedEvent): void;
   /** Hears all that jobs tell, also those that were ended. */
-  hear(event: TimedEvent): void;
+  onEvent(event: TimedEvent): void;
   /** Ends all work; whoever waits for it waits for ever. */
   life: AbortSignal;
 }
@@ -173,13 +173,13 @@ export class Store {
     const model = await coming;
     if (number !== this.choices) return false;
     this.choice.take(model);
-    this.tell('choice');
+    this.notify('choice');
     return true;
   }
 
   select(parts: readonly number[]): void {
     this.selected = [...parts].sort((a, b) => a - b);
-    this.tell('selection');
+    this.notify('selection');
   }
 
   /** Chooses a part, from 0, or no longer. */
@@ -205,7 +205,7 @@ export class Store {
     this.choice.open();
     this.presentScene = this.shownRun ? 'result' : 'empty';
     begin(pictures);
-    this.tell('choice', 'work', 'scene');
+    this.notify('choice', 'work', 'scene');
     const ending = await this.runNow({ model, settings, fields }, pictures);
     if (this.needs.life.aborted) return never();
     if (number !== this.runs) return { type: 'nothing' };
@@ -282,12 +282,12 @@ export class Store {
 
   private follow(event: TimedEvent, signal: AbortSignal): void {
     if (this.needs.life.aborted) return;
-    this.needs.hear(event);
+    this.needs.onEvent(event);
     if (signal.aborted) return;
     if (event.type === 'model' && this.isRunning) {
       this.choice.accept();
       this.presentScene = 'pictures';
-      this.tell('choice', 'scene');
+      this.notify('choice', 'scene');
     }
     this.needs.follow(event);
   }
@@ -298,7 +298,7 @@ export class Store {
     else this.choice.leave();
     if (this.shownRun) this.presentScene = 'result';
     else if (this.presentScene === 'empty') this.presentScene = 'welcome';
-    this.tell('choice', 'work', 'scene');
+    this.notify('choice', 'work', 'scene');
   }
 
   private async step(step: Step): Promise<Ending> {
@@ -306,13 +306,13 @@ export class Store {
     if (!session || !this.accepts(step.pace)) return { type: 'nothing' };
     if (this.steps.length === 0) this.abort = new AbortController();
     this.steps.push(step);
-    this.tell('work');
+    this.notify('work');
     try {
       return await this.stepNow(session, step);
     } finally {
       this.steps = this.steps.filter((other) => other !== step);
       if (this.steps.length === 0) this.comeBack(session);
-      this.tell('work');
+      this.notify('work');
     }
   }
 
@@ -381,12 +381,12 @@ export class Store {
     [this.shownRun, this.session, this.shownPosition] = [run, session, position];
     this.presentScene = 'result';
     drawing.show({ isRenaming: isNaming });
-    this.tell('scene');
+    this.notify('scene');
     if (!isNaming) this.select(before ? touched(before.result, run.result, edits) : []);
     return { type: 'shown', run, isWhole };
   }
 
-  private tell(...topics: Topic[]): void {
+  private notify(...topics: Topic[]): void {
     if (this.needs.life.aborted) return;
     for (const topic of topics) for (const listener of this.listeners[topic] ?? []) listener();
   }

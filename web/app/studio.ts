@@ -144,7 +144,7 @@ export class Studio extends Panel {
         this.progress.follow(event);
         if (this.store.work === 'running') this.workshop.follow(event);
       },
-      hear: (event) => this.listener.onEvent(event),
+      onEvent: (event) => this.listener.onEvent(event),
       life: this.place.life,
     });
   }

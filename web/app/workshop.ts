@@ -63,7 +63,7 @@ export class Workshop extends Panel {
       case 'segmented':
         this.model.paint(event.labels);
         this.net.paint(event.labels);
-        this.matrix.settle(present.matrix);
+        this.matrix.finish(present.matrix);
         break;
       case 'generation':
         present.fitness.add(event);
@@ -89,7 +89,7 @@ export class Workshop extends Panel {
     this.model.finish(pictures, result);
     this.net.finish(result);
     if (!this.shows(pictures)) {
-      this.matrix.settle(pictures.matrix);
+      this.matrix.finish(pictures.matrix);
       this.chart.show(pictures.fitness);
       this.shownPictures = pictures;
     }

@@ -56,13 +56,13 @@ async function runEngine(
   const { edits, model, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
   const session = await open([{ name: basename(model), bytes }], { pool });
-  const hear = (event: TimedEvent): void => progress?.hear(event);
+  const onEvent = (event: TimedEvent): void => progress?.onEvent(event);
   // Nobody needs to know what is wrong with a result that is still to be changed.
-  const hearWork = (event: TimedEvent): void => {
-    if (event.type !== 'notice') hear(event);
+  const onWorkEvent = (event: TimedEvent): void => {
+    if (event.type !== 'notice') onEvent(event);
   };
   try {
-    await session.runWith(settings, { onEvent: edits.length === 0 ? hear : hearWork });
+    await session.runWith(settings, { onEvent: edits.length === 0 ? onEvent : onWorkEvent });
     await edit(session, commands);
     return { result: await session.result(), print: await session.print() };
   } catch (error) {

@@ -14,9 +14,9 @@ export class Progress {
 
   constructor(private readonly stream: WriteStream) {}
 
-  readonly hear = (event: TimedEvent): void => {
+  readonly onEvent = (event: TimedEvent): void => {
     if (event.type === 'notice') this.note(event.text);
-    if (event.type === 'stage') this.tell(event.stage, event.progress);
+    if (event.type === 'stage') this.report(event.stage, event.progress);
   };
 
   /** Writes a phrase on a line of its own, unless it was said before. */
@@ -38,7 +38,7 @@ export class Progress {
     if (this.stream.isTTY) this.stream.write('\r\x1b[K');
   }
 
-  private tell(stage: Stage, progress: number): void {
+  private report(stage: Stage, progress: number): void {
     if (this.stream.isTTY) {
       const percent = String(Math.floor(progress * 100)).padStart(3);
       this.stream.write(`\r\x1b[K${percent} % ${stageLines[stage]}`);

@@ -14,8 +14,8 @@ import type {
   TimedEvent,
 } from './protocol.js';
 import { StageClock } from './stage-clock.js';
-import { TaskBench } from './task-bench.js';
-import { TaskDesk, type OpenTask } from './task-desk.js';
+import { TaskExecutor } from './task-executor.js';
+import { TaskDispatcher, type OpenTask } from './task-dispatcher.js';
 import { buffersOf } from './transfer.js';
 
 /** What reaches a conductor while its job runs. */
@@ -39,8 +39,8 @@ function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
 /** Runs one job: does the work that cannot be split, and its share of the tasks. */
 export class Conductor {
   private readonly job: Job;
-  private readonly bench: TaskBench;
-  private readonly desk = new TaskDesk();
+  private readonly executor: TaskExecutor;
+  private readonly dispatcher = new TaskDispatcher();
   private readonly filter = new GenerationFilter();
   private readonly clock = new StageClock(performance.now());
   private readonly throttle: EventThrottle;
@@ -58,7 +58,7 @@ export class Conductor {
     const { bytes, fileName, options, start } = request;
     // The declarations allow for no job because it crosses the boundary as a pointer.
     this.job = engine.createJob(bytes, fileName, options, start)!;
-    this.bench = new TaskBench(engine);
+    this.executor = new TaskExecutor(engine);
     this.throttle = new EventThrottle((events) => {
       host.post({ type: 'events', job: this.number, events }, buffersOf(events));
     });
@@ -85,20 +85,20 @@ export class Conductor {
   /** Takes in what happens among the helpers. */
   take(request: ConductorRequest): void {
     if (this.finished || this.ended) return;
-    if (request.type === 'helper') this.desk.join(request.helper);
+    if (request.type === 'helper') this.dispatcher.join(request.helper);
     if (request.type === 'lost') this.lose(request);
     if (request.type === 'report') this.receive(request);
     this.wake();
   }
 
   private receive({ helper, report }: ReportRequest): void {
-    if (!this.desk.isOut(helper, report.task)) return;
+    if (!this.dispatcher.isOut(helper, report.task)) return;
     if (report.result) {
-      this.desk.finish(helper);
+      this.dispatcher.finish(helper);
       // The helper has its next task before its result is looked at, which takes a while.
       this.handOut();
     }
-    this.hear(report);
+    this.handle(report);
   }
 
   private async runNow(): Promise<void> {
@@ -109,7 +109,7 @@ export class Conductor {
       this.throttle.release(performance.now());
       await (idle ? this.message() : this.host.pause());
     }
-    this.bench.close();
+    this.executor.close();
     if (!this.finished) this.leave();
     this.job.delete();
   }
@@ -122,16 +122,17 @@ export class Conductor {
 
   /** Does some milliseconds of work; false when everything waits for the helpers. */
   private work(): boolean {
-    if (this.bench.busy) {
-      const report = this.bench.step();
-      if (report) this.hear(report);
+    if (this.executor.busy) {
+      const report = this.executor.step();
+      if (report) this.handle(report);
       // Tasks that take but a moment are done sooner than a worker is started.
       else this.askForHelp();
       return true;
     }
-    const task = this.desk.takeOwn();
+    const task = this.dispatcher.takeOwn();
     if (task) this.begin(task);
-    else if (this.desk.outCount + this.desk.waitingCount === 0) this.tell(this.job.advance());
+    else if (this.dispatcher.outCount + this.dispatcher.waitingCount === 0)
+      this.passOnEvents(this.job.advance());
     else return false;
     return true;
   }
@@ -139,26 +140,26 @@ export class Conductor {
   /** The job and its own tasks share one copy of a surface. */
   private begin(task: OpenTask): void {
     const { surface } = task;
-    if (!this.bench.has(surface)) this.bench.keep(surface, this.job.surface(surface)!);
-    this.bench.begin(this.orderFor(task, false));
+    if (!this.executor.has(surface)) this.executor.keep(surface, this.job.surface(surface)!);
+    this.executor.begin(this.orderFor(task, false));
   }
 
-  private hear({ task, status, result }: TaskReport): void {
-    this.tell(this.filter.newOf(task, this.job.report(task, status)));
-    if (result && !this.finished) this.tell(this.job.complete(task, result));
+  private handle({ task, status, result }: TaskReport): void {
+    this.passOnEvents(this.filter.newOf(task, this.job.report(task, status)));
+    if (result && !this.finished) this.passOnEvents(this.job.complete(task, result));
   }
 
   private lose({ helper, reason }: LostRequest): void {
-    const task = this.desk.leave(helper);
+    const task = this.dispatcher.leave(helper);
     if (!task) return;
     this.filter.restart(task.id);
     if (task.deaths < mostDeaths) return;
     const text = `The engine stopped unexpectedly ${mostDeaths} times at the same task: ${reason}`;
-    this.tell([{ type: 'error', code: engineDied, text }]);
+    this.passOnEvents([{ type: 'error', code: engineDied, text }]);
   }
 
-  /** Passes events on, and puts the tasks that have come up on the desk. */
-  private tell(events: JobEvent[]): void {
+  /** Passes events on, and puts the tasks that have come up in its queue. */
+  private passOnEvents(events: JobEvent[]): void {
     const now = performance.now();
     // What happens belongs to one stage and names it, but for the step that finishes a stage.
     this.clock.spend(now, events.find((event) => event.type === 'stage')?.stage);
@@ -169,7 +170,7 @@ export class Conductor {
       return;
     }
     for (let task = this.job.takeTask(); task; task = this.job.takeTask()) {
-      this.desk.add(task.id, task.surface, task.bytes);
+      this.dispatcher.add(task.id, task.surface, task.bytes);
     }
   }
 
@@ -188,7 +189,7 @@ export class Conductor {
   /** Gives what waits to the helpers that stand by. */
   private handOut(): void {
     if (this.finished) return;
-    for (let next = this.desk.assign(); next; next = this.desk.assign()) {
+    for (let next = this.dispatcher.assign(); next; next = this.dispatcher.assign()) {
       const order = this.orderFor(next.task, next.needsSurface);
       // The task's own bytes are copied: a helper that dies takes its copy along.
       const transfer = buffersOf(order.surfaceBytes);
@@ -198,7 +199,10 @@ export class Conductor {
   }
 
   private askForHelp(): void {
-    const wanted = Math.min(this.desk.waitingCount + this.desk.outCount, this.request.helpers);
+    const wanted = Math.min(
+      this.dispatcher.waitingCount + this.dispatcher.outCount,
+      this.request.helpers,
+    );
     if (wanted <= this.helpersAsked) return;
     this.helpersAsked = wanted;
     this.host.post({ type: 'help', job: this.number, wanted }, []);

@@ -1,11 +1,11 @@
 import type { Engine, WorkerHost } from './engine.js';
 import type { TaskOrder } from './protocol.js';
-import { TaskBench } from './task-bench.js';
+import { TaskExecutor } from './task-executor.js';
 import { buffersOf } from './transfer.js';
 
 /** A worker's part in a job that another one conducts: runs tasks, one at a time. */
 export class Helper {
-  private readonly bench: TaskBench;
+  private readonly executor: TaskExecutor;
   private running: Promise<void> = Promise.resolve();
   private ended = false;
 
@@ -15,7 +15,7 @@ export class Helper {
     private readonly host: WorkerHost,
     readonly number: number,
   ) {
-    this.bench = new TaskBench(engine);
+    this.executor = new TaskExecutor(engine);
   }
 
   /** Runs a task to its end, once the one before has ended; rejects if the engine fails. */
@@ -28,14 +28,14 @@ export class Helper {
   async end(): Promise<void> {
     this.ended = true;
     await this.running;
-    this.bench.close();
+    this.executor.close();
   }
 
   private async runNow(order: TaskOrder): Promise<void> {
     if (this.ended) return;
-    this.bench.begin(order);
-    while (this.bench.busy && !this.ended) {
-      const report = this.bench.step();
+    this.executor.begin(order);
+    while (this.executor.busy && !this.ended) {
+      const report = this.executor.step();
       if (report) this.host.post({ type: 'report', job: this.number, report }, buffersOf(report));
       await this.host.pause();
     }

@@ -36,7 +36,7 @@ export class JobRun implements PoolListener {
   private readonly helpers = new Set<number>();
   /** Workers that hold something of the job. */
   private readonly engaged = new Set<number>();
-  private settle: (() => void) | null = null;
+  private whenEnded: (() => void) | null = null;
   /** Whether the conductor has told of a net, which is worth waiting for. */
   private hasNets = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -60,13 +60,13 @@ export class JobRun implements PoolListener {
   }
 
   /**
-   * Frees what all workers hold of the job and then calls `settle`, within the patience that there
+   * Frees what all workers hold of the job and then calls `whenEnded`, within the patience that there
    * is: who does not answer by then is thrown away. A conductor that has nets gets as long as it
    * takes to hand them over. Only the first call counts.
    */
-  end(settle: () => void): void {
-    if (this.settle) return;
-    this.settle = settle;
+  end(whenEnded: () => void): void {
+    if (this.whenEnded) return;
+    this.whenEnded = whenEnded;
     for (const worker of this.engaged) this.pool.post(worker, { type: 'end', job: this.job });
     this.timer = setTimeout(() => {
       const isAwaited = this.hasNets && this.engaged.has(this.conductor);
@@ -87,7 +87,7 @@ export class JobRun implements PoolListener {
     if (answer.job !== this.job) return;
     if (worker === this.conductor) this.unheard = false;
     if (answer.type === 'ended') this.free(worker);
-    if (!this.settle) this.passOn(worker, answer);
+    if (!this.whenEnded) this.passOn(worker, answer);
     // What is still under way when the job ends is of no use any more, but for what it came to.
     else if (answer.type === 'events') this.tellLast(answer);
   }
@@ -96,7 +96,7 @@ export class JobRun implements PoolListener {
     const wasEngaged = this.engaged.has(worker);
     this.helpers.delete(worker);
     this.free(worker);
-    if (this.settle) return;
+    if (this.whenEnded) return;
     if (worker === this.conductor) {
       if (!this.unheard) return this.listener.onDeath(reason);
       this.unheard = false;
@@ -110,7 +110,7 @@ export class JobRun implements PoolListener {
 
   onClose(): void {
     this.engaged.clear();
-    if (this.settle) this.settleIfFree();
+    if (this.whenEnded) this.settleIfFree();
     else this.listener.onDeath('its workers were closed');
   }
 
@@ -124,7 +124,7 @@ export class JobRun implements PoolListener {
 
   private passOn(worker: number, answer: Answer): void {
     const { job } = this;
-    if (answer.type === 'events') this.tell(answer);
+    if (answer.type === 'events') this.passOnEvents(answer);
     if (answer.type === 'help') {
       while (this.helpers.size < answer.wanted) this.enlist(this.pool.start());
     }
@@ -140,10 +140,10 @@ export class JobRun implements PoolListener {
     }
   }
 
-  private tell({ events }: EventsAnswer): void {
+  private passOnEvents({ events }: EventsAnswer): void {
     for (const event of events) {
       // Whoever hears an event may end the job.
-      if (this.settle) return;
+      if (this.whenEnded) return;
       // After the last event the conductor frees everything by itself.
       if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
       if (event.type === 'net') this.hasNets = true;
@@ -164,14 +164,14 @@ export class JobRun implements PoolListener {
 
   private free(worker: number): void {
     this.engaged.delete(worker);
-    if (this.settle) this.settleIfFree();
+    if (this.whenEnded) this.settleIfFree();
   }
 
   private settleIfFree(): void {
     if (this.engaged.size > 0) return;
     clearTimeout(this.timer);
-    const { settle } = this;
-    this.settle = () => undefined;
-    settle?.();
+    const { whenEnded } = this;
+    this.whenEnded = () => undefined;
+    whenEnded?.();
   }
 }

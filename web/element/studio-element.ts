@@ -90,8 +90,8 @@ export class FoldwrightStudio extends HTMLElement {
       life: this.life.signal,
     };
     this.studio = new Studio(place, () => this.engine.pool(), {
-      onReady: () => this.tell('foldwright-ready', null),
-      onEvent: (event) => this.tell('foldwright-event', event),
+      onReady: () => this.dispatch('foldwright-ready', null),
+      onEvent: (event) => this.dispatch('foldwright-event', event),
     });
     this.studio.preset(this.preset(presets));
     void this.studio.start();
@@ -127,7 +127,7 @@ export class FoldwrightStudio extends HTMLElement {
     return makesSense ? workers : undefined;
   }
 
-  private tell<Name extends keyof StudioEventMap>(
+  private dispatch<Name extends keyof StudioEventMap>(
     name: Name,
     detail: StudioEventMap[Name]['detail'],
   ): void {

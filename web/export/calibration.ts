@@ -35,21 +35,21 @@ export function calibrated(
       guides: piece.guides.map(line),
       texts: texts(piece.texts),
     })),
-    furniture: {
-      strokes: drawing.furniture.strokes.map((stroke) => ({
+    frame: {
+      strokes: drawing.frame.strokes.map((stroke) => ({
         ...stroke,
         points: walk(stroke.points),
       })),
-      texts: texts(drawing.furniture.texts),
+      texts: texts(drawing.frame.texts),
     },
   };
 }
 
 /** By how many mm something is drawn beyond the edge of its sheet; 0 if nothing is. */
-export function overrun({ width, height, pieces, furniture }: SheetDrawing): number {
+export function overrun({ width, height, pieces, frame }: SheetDrawing): number {
   const points = [
     ...pieces.flatMap(({ cuts }) => cuts.flat()),
-    ...furniture.strokes.flatMap(({ points }) => points),
+    ...frame.strokes.flatMap(({ points }) => points),
   ];
   return points.reduce((most, [x, y]) => Math.max(most, -x, -y, x - width, y - height), 0);
 }

@@ -1,5 +1,5 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
-import { bandOf, type Furniture, type Stroke } from './furniture.js';
+import { bandOf, type SheetFrame, type Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
@@ -82,9 +82,9 @@ function widthOf({ sample, text }: Entry): number {
 function inColumns(
   entries: readonly Entry[],
   columns: number,
-): { content: Furniture; width: number; height: number } {
+): { content: SheetFrame; width: number; height: number } {
   const rows = Math.ceil(entries.length / columns);
-  const content: Furniture = { strokes: [], texts: [] };
+  const content: SheetFrame = { strokes: [], texts: [] };
   let left = 0;
   for (let first = 0; first < entries.length; first += rows) {
     const column = entries.slice(first, first + rows);
@@ -103,7 +103,7 @@ function inColumns(
   return { content, width: left - columnGap, height: (rows - 1) * rowHeight + size };
 }
 
-function movedBy({ strokes, texts }: Furniture, [x, y]: Point): Furniture {
+function movedBy({ strokes, texts }: SheetFrame, [x, y]: Point): SheetFrame {
   const move = ([u, v]: Point): Point => [u + x, v + y];
   return {
     strokes: strokes.map((stroke) => ({ ...stroke, points: stroke.points.map(move) })),
@@ -111,7 +111,7 @@ function movedBy({ strokes, texts }: Furniture, [x, y]: Point): Furniture {
   };
 }
 
-function onFreeSpace(sheet: SheetDrawing, entries: Entry[], margin: number): Furniture | null {
+function onFreeSpace(sheet: SheetDrawing, entries: Entry[], margin: number): SheetFrame | null {
   const { to } = bandOf(margin);
   // From the ruler below as from pieces.
   const area = {
@@ -140,7 +140,7 @@ function inUpperMargin(
   { width, height }: SheetDrawing,
   entries: Entry[],
   margin: number,
-): Furniture | null {
+): SheetFrame | null {
   const { from, to } = bandOf(margin);
   const row = inColumns(entries, entries.length);
   if (to > margin || row.width > width - 2 * margin) return null;
@@ -156,7 +156,7 @@ function inUpperMargin(
 export function placeLegend(
   sheets: readonly SheetDrawing[],
   margin: number,
-): { sheet: number; legend: Furniture } | null {
+): { sheet: number; legend: SheetFrame } | null {
   const entries = entriesFor(sheets.flatMap(({ pieces }) => pieces));
   for (const [sheet, drawing] of sheets.entries()) {
     const legend =

@@ -139,13 +139,13 @@ class PageWriter {
     this.page.pushOperators(endMarkedContent());
   }
 
-  write({ pieces, furniture }: SheetDrawing): void {
+  write({ pieces, frame }: SheetDrawing): void {
     this.marked('guide', () => {
-      for (const { points: walk, closed, sample } of furniture.strokes) {
+      for (const { points: walk, closed, sample } of frame.strokes) {
         if (sample === 'flap') this.areas(this.look.flaps, [walk]);
         else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
       }
-      for (const text of furniture.texts) this.text(text);
+      for (const text of frame.texts) this.text(text);
     });
     for (const piece of pieces) {
       this.marked(`guide-${piece.letter}`, () => {

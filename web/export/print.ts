@@ -3,7 +3,7 @@ import { isCalibrated, type PrintOptions } from '../model/print-options.js';
 import { calibrated, corrections, overrun } from './calibration.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
-import { furnish } from './furniture.js';
+import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
 import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
@@ -39,8 +39,8 @@ export function isPlain(text: string): boolean {
 
 /** Every text that is printed. */
 export function textsOf(sheets: readonly SheetDrawing[]): string[] {
-  return sheets.flatMap(({ pieces, furniture }) =>
-    [...furniture.texts, ...pieces.flatMap(({ texts }) => texts)].map(({ text }) => text),
+  return sheets.flatMap(({ pieces, frame }) =>
+    [...frame.texts, ...pieces.flatMap(({ texts }) => texts)].map(({ text }) => text),
   );
 }
 
@@ -97,14 +97,14 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
       width,
       height,
       pieces: drawPieces(result, sheet, options),
-      furniture: furnish({ width, height, margin, title: cleaned(title), note }),
+      frame: frameSheet({ width, height, margin, title: cleaned(title), note }),
     };
   });
   if (!options.legend) return { sheets, lacksLegend: false };
   const found = placeLegend(sheets, margin);
   if (!found) return { sheets, lacksLegend: true };
-  const { strokes, texts } = sheets[found.sheet]!.furniture;
-  sheets[found.sheet]!.furniture = {
+  const { strokes, texts } = sheets[found.sheet]!.frame;
+  sheets[found.sheet]!.frame = {
     strokes: [...strokes, ...found.legend.strokes],
     texts: [...texts, ...found.legend.texts],
   };

@@ -1,7 +1,7 @@
 import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { tellAngles, type AngledFold } from './fold-angles.js';
-import type { Furniture } from './furniture.js';
+import type { SheetFrame } from './sheet-frame.js';
 import type { Point, Segment } from './point.js';
 import { centredLine, type TextLine } from './text-line.js';
 
@@ -31,7 +31,7 @@ export interface SheetDrawing {
   width: number;
   height: number;
   pieces: PieceDrawing[];
-  furniture: Furniture;
+  frame: SheetFrame;
 }
 
 type At = (vertex: number) => Point;

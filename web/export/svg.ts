@@ -118,7 +118,7 @@ class SheetWriter {
   }
 
   guide(): string[] {
-    const { strokes, texts } = this.drawing.furniture;
+    const { strokes, texts } = this.drawing.frame;
     const kinds = ['flap', undefined, 'mountain', 'valley', 'cut'] as const;
     const paths = kinds.flatMap((kind) => {
       const data = strokes

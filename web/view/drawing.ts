@@ -69,7 +69,7 @@ export class Drawing<Message, Answer = never> {
   }
 
   /** May be called at any time: what comes too early is drawn when there is someone to draw. */
-  tell(message: Message): void {
+  post(message: Message): void {
     this.drawer(message);
   }
 

@@ -40,8 +40,8 @@ export function modelView(
   });
   new TurnInput(
     frame,
-    (turn) => view.tell({ type: 'turn', ...turn }),
-    (x, y) => view.tell({ type: 'point', x, y }),
+    (turn) => view.post({ type: 'turn', ...turn }),
+    (x, y) => view.post({ type: 'point', x, y }),
   );
   return view;
 }

@@ -12,11 +12,11 @@ const mostDense = 2;
 export function watchSize(
   frame: HTMLElement,
   life: AbortSignal,
-  tell: (size: PictureSize) => void,
+  report: (size: PictureSize) => void,
 ): void {
   const observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = frame;
-    tell({ width, height, density: Math.min(window.devicePixelRatio, mostDense) });
+    report({ width, height, density: Math.min(window.devicePixelRatio, mostDense) });
   });
   observer.observe(frame);
   life.addEventListener('abort', () => observer.disconnect());

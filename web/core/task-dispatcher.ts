@@ -18,7 +18,7 @@ export interface Assignment {
  * Who runs which task of a job. Results do not depend on that: tasks go to whoever is free. A task
  * is kept until its result is there, so that a helper's death costs nothing but time.
  */
-export class TaskDesk {
+export class TaskDispatcher {
   private readonly waiting: OpenTask[] = [];
   private readonly out = new Map<number, OpenTask>();
   /** By helper, the surfaces that it has. */

@@ -4,7 +4,7 @@ import type { TaskOrder, TaskReport } from './protocol.js';
 import { nextBudget } from './step-budget.js';
 
 /** Runs the tasks of one job with one instance of the engine, one after the other, in steps. */
-export class TaskBench {
+export class TaskExecutor {
   private readonly surfaces = new Map<number, Surface>();
   private order: TaskOrder | null = null;
   private task: Task | null = null;

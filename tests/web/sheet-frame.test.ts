@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bandOf, furnish } from '../../web/export/furniture.js';
+import { bandOf, frameSheet } from '../../web/export/sheet-frame.js';
 import { FreeSpace } from '../../web/export/free-space.js';
 import { widthAtMost, type TextLine } from '../../web/export/text-line.js';
 import { paperSizes } from '../../web/model/paper.js';
@@ -16,7 +16,7 @@ function cornersOf({ text, at: [x, y], anchor, angle, size }: TextLine): Point[]
   return box.map(([u, v]): Point => (angle === 90 ? [x - v, y + u] : [x + u, y + v]));
 }
 
-describe('furnish', () => {
+describe('frameSheet', () => {
   const margins = [0, 2.5, 4, 5, 9.5, 10, 20];
   const sheets = paperSizes.flatMap(({ name, width, height }) => [
     { name, width, height },
@@ -27,7 +27,7 @@ describe('furnish', () => {
     for (const margin of margins) {
       const { from, to } = bandOf(margin);
       const plan = { width, height, margin, title: 'A long name '.repeat(9), note: 'n'.repeat(30) };
-      const { strokes, texts } = furnish(plan);
+      const { strokes, texts } = frameSheet(plan);
       const boxes = [...strokes.map(({ points }) => points), ...texts.map(cornersOf)];
       for (const points of boxes) {
         const low = [0, 1].map((k) => Math.min(...points.map((point) => point[k]!)));
@@ -45,7 +45,7 @@ describe('furnish', () => {
 
   it('has shorter rulers on small paper', () => {
     const plan = { width: 90, height: 60, margin: 5, title: 'box', note: 'sheet 1 of 1' };
-    const { texts } = furnish(plan);
+    const { texts } = frameSheet(plan);
     const words = ['40 mm', '30 mm', '5 mm', 'box', 'sheet 1 of 1'];
     expect(texts.map(({ text }) => text)).toEqual(words);
   });

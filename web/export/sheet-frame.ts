@@ -7,20 +7,20 @@ import { rulerLength, type LineKind } from '../model/print-options.js';
 import type { Point } from './point.js';
 import { capHeight, shortened, widthAtMost, type TextLine } from './text-line.js';
 
-/** A line of the furniture; in a legend also a sample of another kind, or of the area of a flap. */
+/** A line of the frame; in a legend also a sample of another kind, or of the area of a flap. */
 export interface Stroke {
   points: Point[];
   closed: boolean;
   sample?: LineKind | 'flap';
 }
 
-export interface Furniture {
+export interface SheetFrame {
   strokes: Stroke[];
   texts: TextLine[];
 }
 
-/** Where furniture goes, and what it says. */
-export interface FurniturePlan {
+/** Where frame goes, and what it says. */
+export interface SheetFramePlan {
   width: number;
   height: number;
   /** Of the sheet; mm. */
@@ -60,7 +60,7 @@ function tickHeight(at: number): number {
 }
 
 /** A ruler with its marks at the right side and its length at the end, as it is walked from `start`. */
-function ruler(length: number, angle: 0 | 90, start: Point): Furniture {
+function ruler(length: number, angle: 0 | 90, start: Point): SheetFrame {
   const place = ([x, y]: Point): Point =>
     angle === 0 ? [start[0] + x, start[1] + y] : [start[0] - y, start[1] + x];
   const along = (from: Point, to: Point): Stroke => ({
@@ -87,7 +87,7 @@ function rulerFor(room: number): number {
 }
 
 /** A box to measure, with its size in it. */
-function scaleBox(left: number, bottom: number, width: number): Furniture {
+function scaleBox(left: number, bottom: number, width: number): SheetFrame {
   const [right, top] = [left + width, bottom + boxHeight];
   const isSquare = width === boxHeight;
   const size = isSquare ? smallSize : textSize;
@@ -105,15 +105,15 @@ function scaleBox(left: number, bottom: number, width: number): Furniture {
   };
 }
 
-/** The furniture of one sheet. On small paper rulers are shorter, and the box is in the corner. */
-export function furnish({ width, height, margin, title, note }: FurniturePlan): Furniture {
+/** The frame of one sheet. On small paper rulers are shorter, and the box is in the corner. */
+export function frameSheet({ width, height, margin, title, note }: SheetFramePlan): SheetFrame {
   const { from, to } = bandOf(margin);
   const end = width - margin;
   const unit = widthAtMost(`${rulerLength} mm`, textSize) + 1 + gap;
   const words = widthAtMost(note, textSize);
   const across = rulerFor(end - to - unit - words);
   const up = rulerFor(height - margin - to - unit);
-  const parts: Furniture[] = [
+  const parts: SheetFrame[] = [
     ...(across > 0 ? [ruler(across, 0, [to, from + bandHeight - lineRoom])] : []),
     ...(up > 0 ? [ruler(up, 90, [from + lineRoom, to])] : []),
   ];
