@@ -60,6 +60,26 @@ test('every field redraws the sheets at once, without another search', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('how lines look is part of the history, and stays for the next run', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    const cuts = (width: string) =>
+      page.locator(`.sheet [data-layer="cut"] [stroke-width="${width}"]`).first();
+    await page.selectOption('#print-style', 'blender');
+    await cuts('0.3').waitFor();
+    await page.getByRole('button', { name: 'Undo: change of lines' }).click();
+    await cuts('0.3').waitFor({ state: 'detached' });
+    expect(await page.locator('#print-style').inputValue()).toBe('foldwright');
+    await page.locator('#redo').click();
+    await cuts('0.3').waitFor();
+    expect(await page.locator('#print-style').inputValue()).toBe('blender');
+    await unfold(studio, 'again');
+    await cuts('0.3').waitFor();
+    expect(await page.locator('#undo').isHidden()).toBe(true);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('a measured printer is corrected, said so, and remembered', () =>
   withStudio(async (studio) => {
     const { page } = studio;

@@ -9,6 +9,8 @@ import {
   type PrintOptions,
   type PrintStyle,
 } from '../model/print-options.js';
+import { printOptions, type Settings } from '../model/options.js';
+import type { Options } from '../model/written-options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -43,9 +45,16 @@ function number(field: HTMLInputElement, fallback: number): number {
   return field.value !== '' && field.validity.valid ? field.valueAsNumber : fallback;
 }
 
+/** What differs from a style, as options have it. */
+function orStyle<Value>(value: Value, ofStyle: Value): Value | 'style' {
+  return value === ofStyle ? 'style' : value;
+}
+
 /** The fields beside the sheets, for how they are drawn: every change shows at once. */
 export class PrintPanel extends Panel {
-  /** Called after every change. */
+  /** Called while something is changed. */
+  onPreview: () => void = () => undefined;
+  /** Called when a change is complete. */
   onChange: () => void = () => undefined;
 
   private readonly panel = this.find('#print', HTMLElement);
@@ -81,11 +90,54 @@ export class PrintPanel extends Panel {
     this.fillIn();
     this.explain();
     this.style.addEventListener('input', () => this.fillIn());
-    this.panel.addEventListener('input', () => this.change());
+    this.panel.addEventListener('input', () => this.preview());
+    this.panel.addEventListener('change', () => this.onChange());
     this.find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
       this.across.value = this.up.value = '';
-      this.change();
+      this.preview();
     });
+  }
+
+  /** What the rulers measure: a printer's, and so of no document. */
+  get measured(): PrintOptions['measured'] {
+    return [number(this.across, rulerLength), number(this.up, rulerLength)];
+  }
+
+  /** What the fields say, as the options of a document; all but what was measured. */
+  options(): Options {
+    const { style, lines, flaps, flatFold, foldAngles, legend } = this.read();
+    const base = lookOf({ ...defaultPrint, style });
+    const dash = (kind: 'mountain' | 'valley'): string => lines[kind]?.dash?.join(',') ?? 'style';
+    return {
+      style,
+      cutWidth: lines.cut?.width ?? 'style',
+      cutColour: lines.cut?.colour ?? 'style',
+      mountainWidth: lines.mountain?.width ?? 'style',
+      mountainDash: dash('mountain'),
+      mountainColour: lines.mountain?.colour ?? 'style',
+      valleyWidth: lines.valley?.width ?? 'style',
+      valleyDash: dash('valley'),
+      valleyColour: lines.valley?.colour ?? 'style',
+      flapColour: orStyle(flaps ?? 'none', base.flaps),
+      flatFold,
+      foldAngles: foldAngles ? 'on' : 'off',
+      legend: legend ? 'on' : 'off',
+    };
+  }
+
+  /** Shows how the sheets of a document look. */
+  fill(settings: Settings): void {
+    const options = printOptions(settings);
+    const look = lookOf(options);
+    this.style.value = options.style;
+    for (const kind of kinds) this.fillLines(kind, look.lines[kind]);
+    this.shaded.checked = look.flaps !== 'none';
+    const { flatFold } = options;
+    this.flatFold.value = flatFold === defaultPrint.flatFold ? '' : String(flatFold);
+    this.angles.checked = options.foldAngles;
+    this.legend.checked = options.legend;
+    this.check();
+    this.explain();
   }
 
   /** What the fields say now; the default where one makes no sense. */
@@ -101,7 +153,7 @@ export class PrintPanel extends Panel {
       flatFold: number(this.flatFold, defaultPrint.flatFold),
       foldAngles: this.angles.checked,
       legend: this.legend.checked,
-      measured: [number(this.across, rulerLength), number(this.up, rulerLength)],
+      measured: this.measured,
     };
   }
 
@@ -127,17 +179,19 @@ export class PrintPanel extends Panel {
   /** Shows what the style is made of. */
   private fillIn(): void {
     const look = lookOf({ ...defaultPrint, style: this.chosenStyle() });
-    for (const kind of kinds) {
-      const { width, colour, dash } = look.lines[kind];
-      const fields = this.lines[kind];
-      fields.width.value = String(width);
-      fields.colour.value = colour;
-      if (fields.dash) fields.dash.value = dash.join(' ');
-    }
+    for (const kind of kinds) this.fillLines(kind, look.lines[kind]);
     this.shaded.checked = look.flaps !== 'none';
   }
 
-  private change(): void {
+  private fillLines(kind: LineKind, { width, colour, dash }: LineStyle): void {
+    const fields = this.lines[kind];
+    fields.width.value = String(width);
+    fields.colour.value = colour;
+    if (fields.dash) fields.dash.value = dash.join(' ');
+  }
+
+  /** Marks the fields that make no sense. */
+  private check(): void {
     for (const kind of kinds) {
       const { dash } = this.lines[kind];
       dash?.setAttribute('aria-invalid', String(parseDash(dash.value) === null));
@@ -145,9 +199,13 @@ export class PrintPanel extends Panel {
     for (const field of this.panel.querySelectorAll<HTMLInputElement>('[type=number]')) {
       field.setAttribute('aria-invalid', String(!field.validity.valid));
     }
+  }
+
+  private preview(): void {
+    this.check();
     this.remember();
     this.explain();
-    this.onChange();
+    this.onPreview();
   }
 
   /** Shows what lines look like, and says clearly whether sheets are corrected. */

@@ -1,6 +1,8 @@
 import type { JobResult, Notice } from '../model/job.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
+import { printOptions } from '../model/options.js';
+import { changedSettings, isSameLook, type Options } from '../model/written-options.js';
 import type { FinishedRun } from './finished-run.js';
 import {
   leadSentence,
@@ -23,8 +25,6 @@ export interface DrawnRun {
   writer: ResultWriter;
   sheets: HTMLLIElement[];
   notices: Notice[];
-  /** Which look the sheets have. */
-  look: number;
 }
 
 /** The file's name without its ending. */
@@ -52,6 +52,8 @@ export class ResultPanel extends Panel {
   private shownRun: { run: FinishedRun; writer: ResultWriter } | null = null;
   /** Counts results, so that a later one is not replaced by one that took longer to draw. */
   private turns = 0;
+  /** Whether the fields say what the document does not know yet. */
+  private isLookNew = false;
   /** Counts changes of how sheets look. */
   private looks = 0;
 
@@ -60,12 +62,30 @@ export class ResultPanel extends Panel {
     private readonly downloads: DownloadBar,
     private readonly sheets: SheetList,
     private readonly steps: StepsPanel,
+    private readonly takeLook: (look: Options) => Promise<boolean>,
   ) {
     super(place);
-    this.print.onChange = () => {
+    this.print.onPreview = () => {
       ++this.looks;
+      this.isLookNew = true;
       void this.redraw();
     };
+    this.print.onChange = () => void this.offerLook();
+  }
+
+  /** How sheets shall look, as the fields say it. */
+  get look(): Options {
+    return this.print.options();
+  }
+
+  /** Hands over a look that is seen but not in the document yet, if there is one. */
+  async offerLook(): Promise<void> {
+    const settings = this.shownRun?.run.settings;
+    if (!this.isLookNew || !settings) return;
+    this.isLookNew = false;
+    if (isSameLook(settings, changedSettings(settings, this.look))) return;
+    // What cannot be taken now is offered again.
+    if (!(await this.takeLook(this.look))) this.isLookNew = true;
   }
 
   /** Shows the result, or makes room for a run. */
@@ -81,13 +101,14 @@ export class ResultPanel extends Panel {
   /** Draws the sheets of a run; null if a later one was quicker. What is on the page stays. */
   async draw(run: FinishedRun): Promise<DrawnRun | null> {
     const { model, settings, result } = run;
-    const [turn, look] = [++this.turns, this.looks];
+    const turn = ++this.turns;
     const source = { result, name: stem(model.name), margin: settings.margin };
-    const writer = new ResultWriter(this.host, source, this.print.read());
+    const options = { ...printOptions(settings), measured: this.print.measured };
+    const writer = new ResultWriter(this.host, source, options);
     try {
       const sheets = await this.sheets.draw(result, writer);
       const notices = await writer.notices();
-      if (turn === this.turns) return { run, writer, sheets, notices, look };
+      if (turn === this.turns) return { run, writer, sheets, notices };
     } catch (error) {
       writer.close();
       throw error;
@@ -101,7 +122,7 @@ export class ResultPanel extends Panel {
    *
    * @param renamed it has the pieces of the one before with other names: all sheets are replaced
    */
-  show({ run, writer, sheets, notices, look }: DrawnRun, renamed = false): void {
+  show({ run, writer, sheets, notices }: DrawnRun, renamed = false): void {
     const { model, settings, result } = run;
     this.sheets.show(sheets, result, renamed);
     this.title.textContent = stem(model.name);
@@ -117,7 +138,10 @@ export class ResultPanel extends Panel {
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
     this.shownRun = { run, writer };
-    if (look !== this.looks) void this.redraw();
+    if (isSameLook(settings, changedSettings(settings, this.look))) this.isLookNew = false;
+    // What was changed meanwhile is newer than the document.
+    if (!this.isLookNew) this.print.fill(settings);
+    else void this.redraw();
   }
 
   /** Draws the sheets once more, as the print options are now. */

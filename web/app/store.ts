@@ -53,16 +53,18 @@ export interface StoreNeeds {
 }
 
 /**
- * How a step goes with others. Names leave the numbers of parts alone, so others need not wait for them;
- * moves through the history name no parts, so they can follow each other.
+ * How a step goes with others. Names and the look of lines leave the numbers of parts alone (`light`), so
+ * others need not wait for them; moves through the history name no parts, so they can follow each other.
  */
-type Pace = 'name' | 'move' | 'change';
+type Pace = 'light' | 'move' | 'change';
 
 const mayFollow: Readonly<Record<Pace, readonly Pace[]>> = {
-  name: ['name'],
-  move: ['name', 'move'],
-  change: ['name'],
+  light: ['light'],
+  move: ['light', 'move'],
+  change: ['light'],
 };
+
+const lightKinds: readonly DocumentEdit['kind'][] = ['name', 'print'];
 
 /** A change that is not on the page yet. */
 interface Step {
@@ -133,7 +135,7 @@ export class Store {
 
   /** Whether parts cannot be changed now, as their numbers are about to. */
   get busy(): boolean {
-    return this.isRunning || this.steps.some(({ pace }) => pace !== 'name');
+    return this.isRunning || this.steps.some(({ pace }) => pace !== 'light');
   }
 
   /** Whether undo and redo would be heard. */
@@ -222,7 +224,7 @@ export class Store {
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
   apply(edits: readonly DocumentEdit[]): Promise<Ending> {
     if (edits.every((edit) => this.isNamed(edit))) return Promise.resolve({ type: 'nothing' });
-    const pace = edits.every(({ kind }) => kind === 'name') ? 'name' : 'change';
+    const pace = edits.every(({ kind }) => lightKinds.includes(kind)) ? 'light' : 'change';
     return this.step({ pace, edits, make: (session, work) => session.apply(edits, work) });
   }
 

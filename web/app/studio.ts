@@ -3,6 +3,7 @@ import { loadFont } from '../browser/font-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import { changedSettings, type Options } from '../model/written-options.js';
 import { missingSupport } from './browser-support.js';
 import { DownloadBar } from './download-bar.js';
 import type { Ending, Failure } from './ending.js';
@@ -93,7 +94,7 @@ export class Studio extends Panel {
     const downloads = new DownloadBar(place, (format) =>
       this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
     );
-    this.result = new ResultPanel(place, downloads, sheets, steps);
+    this.result = new ResultPanel(place, downloads, sheets, steps, (look) => this.restyle(look));
     const move = { undo: () => void this.undo(), redo: () => void this.redo() };
     this.parts = new PartsPanel(place, this.store, {
       change: (edits) => void this.change(edits),
@@ -103,6 +104,9 @@ export class Studio extends Panel {
     listenForUndo(place, move);
     new HatchSwitch(place, (hatched) => this.workshop.hatch(hatched));
     this.store.on('choice', () => this.choice.show(this.store.choice));
+    this.store.on('work', () => {
+      if (this.store.work === 'idle') void this.result.offerLook();
+    });
     this.store.on('scene', () => this.setScene());
     this.store.on('selection', () => {
       this.workshop.select(this.store.selection);
@@ -171,8 +175,9 @@ export class Studio extends Panel {
 
   private async unfold(): Promise<void> {
     const { model } = this.store.choice;
-    const asked = this.form.read();
-    if (!model || !asked) return;
+    const fields = this.form.read();
+    if (!model || !fields) return;
+    const asked = changedSettings(fields, this.result.look);
     this.message.clear();
     this.progress.begin(model.name);
     const ending = await this.store.unfold(asked, this.settings.read(), (pictures) =>
@@ -227,6 +232,12 @@ export class Studio extends Panel {
     const words = text === '' ? 'The name is gone.' : `Named ${text}.`;
     const ending = await this.edit(this.store.apply([edit]), () => words);
     if (ending.type === 'refused') this.parts.refuse(part, sentence(ending.refusal.params.text));
+  }
+
+  /** Changes how lines look, which is seen already; false if that cannot be done now. */
+  private async restyle(look: Options): Promise<boolean> {
+    const edit = { kind: 'print', options: look } as const;
+    return (await this.edit(this.store.apply([edit]), () => '')).type !== 'nothing';
   }
 
   private async undo(): Promise<void> {

@@ -1,6 +1,6 @@
 /** Options as programs write them: the command line's names and values, in a plain object. */
 import { BadValue } from './option-values.js';
-import { rows, sizings, type Row, type Settings } from './options.js';
+import { printOptions, rows, sizings, type Row, type Settings } from './options.js';
 import type { PaperSize } from './paper.js';
 
 type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
@@ -68,6 +68,11 @@ function parsed(name: string, value: unknown): unknown {
     if (!(error instanceof BadValue)) throw error;
     throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);
   }
+}
+
+/** Whether sheets look the same by two settings. */
+export function isSameLook(one: Settings, other: Settings): boolean {
+  return JSON.stringify(printOptions(one)) === JSON.stringify(printOptions(other));
 }
 
 /** Settings when nothing is asked for. */
