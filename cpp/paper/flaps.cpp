@@ -38,9 +38,7 @@ std::map<int, EdgeFlaps> choices_by_edge(const Mesh& mesh, std::span<const FlapC
       const EdgeFlaps other = flaps == EdgeFlaps::kLeft ? EdgeFlaps::kRight : EdgeFlaps::kLeft;
       chosen[back->second] = is_one ? other : flaps;
     } else {
-      throw InputError("bad-option", "a flap is chosen for the edge from vertex " +
-                                         std::to_string(from) + " to " + std::to_string(to) +
-                                         ", which the model does not have");
+      throw InputError("bad-option", {{"what", "flap-edge"}, {"from", from}, {"to", to}});
     }
   }
   return chosen;

@@ -66,8 +66,7 @@ int edge_at(const Mesh& mesh, const EdgeName& name) {
   };
   const auto found = std::ranges::find_if(mesh.edges, is_it);
   if (found == mesh.edges.end()) {
-    throw InputError("no-edge", "the model has no edge between corners " +
-                                    std::to_string(name.from) + " and " + std::to_string(name.to));
+    throw InputError("no-edge", {{"from", name.from}, {"to", name.to}});
   }
   return static_cast<int>(found - mesh.edges.begin());
 }
@@ -76,13 +75,13 @@ int edge_at(const Mesh& mesh, const EdgeName& name) {
 int hinge_at(const Surface& surface, const EdgeName& name) {
   const int edge = edge_at(surface.mesh, name);
   if (surface.mesh.edges[edge].faces[1] == -1) {
-    throw InputError("open-border", "only one face has this edge: there is nothing to join there");
+    throw InputError("open-border", {{"what", "edge"}});
   }
   const auto& hinges = surface.graph.hinges;
   const auto found = std::ranges::find_if(
       hinges, [&](const Hinge& hinge) { return std::ranges::binary_search(hinge.edges, edge); });
   if (found == hinges.end()) {
-    throw InputError("inside-panel", "this edge lies within a flat face, which stays whole");
+    throw InputError("inside-panel");
   }
   return static_cast<int>(found - hinges.begin());
 }
@@ -92,7 +91,7 @@ std::size_t net_of(const EarlierNets& nets, int face) {
   const auto found = std::ranges::find_if(
       nets.nets, [&](const SavedNet& net) { return std::ranges::binary_search(net.faces, face); });
   if (found == nets.nets.end()) {
-    throw InputError("no-net", "a face beside this edge has no net yet", {face});
+    throw InputError("no-net", Parameters{}, {face});
   }
   return static_cast<std::size_t>(found - nets.nets.begin());
 }
@@ -107,7 +106,7 @@ class NetEditor {
     const std::size_t i = net_of(nets_, graph_.panel_faces(hinge.panels[0])[0]);
     const std::vector<int>& folds = nets_.nets[i].folds;
     const auto fold = std::ranges::find(folds, hinge.edges[0]);
-    if (fold == folds.end()) throw InputError("already-cut", "this edge is cut already");
+    if (fold == folds.end()) throw InputError("already-cut");
     const LoadedNet whole = load(graph_, nets_.nets[i]);
     std::vector<SavedNet> halves;
     for (const FoundNet& half :
@@ -135,8 +134,7 @@ class NetEditor {
 
   std::optional<PartEdit> operator()(const AssignEdit& edit) {
     if (edit.part < 0 || edit.part >= nets_.part_count) {
-      throw InputError("no-part", "there is no part " + std::to_string(edit.part + 1) +
-                                      ": the model has " + std::to_string(nets_.part_count));
+      throw InputError("no-part", {{"part", edit.part + 1}, {"parts", nets_.part_count}});
     }
     std::vector<int> labels = nets_.labels;
     std::set<int> donors;
@@ -146,13 +144,11 @@ class NetEditor {
         labels[face] = edit.part;
       }
     }
-    check_connected(labels, edit.part, "not-touching", "the faces do not touch that part");
+    check_connected(labels, edit.part, "not-touching");
     std::optional<PartEdit> emptied;
     for (const int donor : donors) {
       if (std::ranges::count(labels, donor) > 0) {
-        check_connected(
-            labels, donor, "would-fall-apart",
-            "without these faces part " + std::to_string(donor + 1) + " would fall apart");
+        check_connected(labels, donor, "would-fall-apart");
       } else if (!emptied) {
         emptied = {{edit.part, donor}, 1};
       } else {
@@ -221,7 +217,7 @@ class NetEditor {
     SavedNet joined = make_saved(nets_.nets[i].part, tree.panels, tree.hinges);
     const std::vector<int> faces = overlapping_faces(joined);
     if (!faces.empty() && !search) {
-      throw InputError("overlap", "the two pieces would overlap there", faces);
+      throw InputError("overlap", {{"what", "pieces"}}, faces);
     }
     if (faces.empty()) keep_place(surface_, scale_, load(graph_, nets_.nets[i]), joined);
     const int part = nets_.nets[i].part;
@@ -253,13 +249,13 @@ class NetEditor {
   void reopen(std::size_t i, int hinge, const std::optional<EdgeName>& open) {
     const Tree tree = tree_of(nets_.nets[i]);
     if (std::ranges::count(tree.hinges, hinge) > 0) {
-      throw InputError("already-joined", "this edge is a fold already");
+      throw InputError("already-joined");
     }
     std::vector<int> loop = loop_of(tree, hinge);
     if (open) {
       const int wanted = hinge_at(surface_, *open);
       if (std::ranges::count(loop, wanted) == 0) {
-        throw InputError("not-in-loop", "cutting there would not open the loop");
+        throw InputError("not-in-loop");
       }
       loop = {wanted};
     }
@@ -280,8 +276,7 @@ class NetEditor {
       }
       if (in_the_way.empty() || faces.size() < in_the_way.size()) in_the_way = std::move(faces);
     }
-    throw InputError("overlap", "faces of the piece would overlap, wherever it is opened instead",
-                     in_the_way);
+    throw InputError("overlap", {{"what", "loop"}}, in_the_way);
   }
 
   /// Folds of a tree on the way between the panels of a hinge.
@@ -308,10 +303,10 @@ class NetEditor {
 
   std::vector<int> panels_with(std::span<const int> faces) const {
     const std::set<int> wanted(faces.begin(), faces.end());
-    if (wanted.empty()) throw InputError("no-face", "no face was named");
+    if (wanted.empty()) throw InputError("no-face", {{"what", "none"}});
     const int count = static_cast<int>(nets_.labels.size());
     if (*wanted.begin() < 0 || *wanted.rbegin() >= count) {
-      throw InputError("no-face", "the model has faces from 0 to " + std::to_string(count - 1));
+      throw InputError("no-face", {{"what", "beyond"}, {"most", count - 1}});
     }
     std::vector<int> panels;
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
@@ -323,13 +318,12 @@ class NetEditor {
     return panels;
   }
 
-  void check_connected(const std::vector<int>& labels, int part, const char* code,
-                       const std::string& sentence) const {
+  void check_connected(const std::vector<int>& labels, int part, Code if_not) const {
     std::vector<int> panels;
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
       if (labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
-    if (!is_connected(restrict_to(graph_, panels))) throw InputError(code, sentence);
+    if (!is_connected(restrict_to(graph_, panels))) throw InputError(if_not, {{"part", part + 1}});
   }
 
   /// Gives parts their numbers after a merge, and returns that of what is merged.

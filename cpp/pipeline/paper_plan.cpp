@@ -108,11 +108,11 @@ void PaperPlanner::search() {
     fits = drafter_->take().sheets.sheet_count <= static_cast<int>(state_.options.size.value);
   } catch (const InputError& error) {
     // A face that fits no sheet at the larger scale counts as too large as well.
-    if (error.code() != kFaceTooLarge) throw;
+    if (error.code() != kFaceTooLarge.word()) throw;
     if (range_.low == 0 && range_.trials == kMostHalvings) throw;
   }
   if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {
-    throw InputError("too-few-sheets", "the pieces do not go on so few sheets at any size");
+    throw InputError("too-few-sheets");
   }
   ++range_.trials;
   if (range_.low > 0) progress_ = 0.5 * range_.trials / kSheetTrials;

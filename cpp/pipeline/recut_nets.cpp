@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "mesh/input_error.h"
 #include "paper/recut.h"
@@ -43,14 +42,10 @@ InputError too_large(const JobState& state, const Net& net) {
   }
   const Footprint print = footprint_of(net);
   const double share = fitting_scale(std::span(&print, 1), state.options.sheet);
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "at this size a flat face with an edge of %.0f mm is larger than a sheet of %g x %g "
-      "mm: it would fit at %.0f %% of the size, or on paper %.1f times as large",
-      longest, state.options.sheet.width, state.options.sheet.height, std::floor(100 * share),
-      std::ceil(10 / share) / 10);
-  return InputError(kFaceTooLarge, text);
+  return InputError(kFaceTooLarge, {{"edge_mm", longest},
+                                    {"width_mm", state.options.sheet.width},
+                                    {"height_mm", state.options.sheet.height},
+                                    {"share", share}});
 }
 
 /// The nets' outlines and area in model units.
