@@ -23,6 +23,7 @@ EMSCRIPTEN_DECLARE_VAL_TYPE(OptionsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(StartValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(TaskValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(WordsValue);
 
 EventsValue to_values(const foldwright::Events& events) {
   val array = val::array();
@@ -53,9 +54,9 @@ class JobHandle {
       job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options),
                    std::move(from));
     } catch (const std::bad_alloc&) {
-      failure_ = {"out-of-memory", "there is not enough memory for the file of the model"};
+      failure_ = {{"out-of-memory", {{"what", "file"}}}};
     } catch (const std::exception& error) {
-      failure_ = {"bad-option", error.what()};
+      failure_ = {{"bad-option", {{"what", "unreadable"}, {"detail", error.what()}}}};
     }
   }
 
@@ -129,6 +130,15 @@ SurfaceHandle* create_surface(const BytesValue& bytes) {
   return new SurfaceHandle(foldwright::decode_surface(bytes_from(bytes)));
 }
 
+/// The codes of all messages, for a test of the table of sentences.
+WordsValue message_codes() {
+  val codes = val::array();
+  for (const std::string_view code : foldwright::kMessageCodes) {
+    codes.call<void>("push", std::string(code));
+  }
+  return WordsValue(codes);
+}
+
 TaskHandle* create_task(const SurfaceHandle& surface, const BytesValue& task) {
   return new TaskHandle(surface, task);
 }
@@ -143,6 +153,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");
   emscripten::register_type<TaskValue>(
       "{ id: number; surface: number; bytes: Uint8Array } | undefined");
+  emscripten::register_type<WordsValue>("string[]");
   emscripten::class_<JobHandle>("Job")
       .function("step", &JobHandle::step)
       .function("advance", &JobHandle::advance)
@@ -159,5 +170,6 @@ EMSCRIPTEN_BINDINGS(foldwright) {
       .function("result", &TaskHandle::result);
   emscripten::function("createJob", &create_job, allow_raw_pointers());
   emscripten::function("createSurface", &create_surface, allow_raw_pointers());
+  emscripten::function("messageCodes", &message_codes);
   emscripten::function("createTask", &create_task, allow_raw_pointers());
 }

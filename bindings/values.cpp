@@ -37,18 +37,36 @@ std::vector<int> flat(const std::vector<std::array<int, N>>& rows) {
   return values;
 }
 
+/// A value of a parameter as JavaScript has it.
+struct ParameterValue {
+  val operator()(double number) const { return val(number); }
+  val operator()(const std::string& text) const { return val(text); }
+  template <class Item>
+  val operator()(const std::vector<Item>& items) const {
+    return list(items, [](const Item& item) { return val(item); });
+  }
+};
+
+val parameters_value(const Parameters& parameters) {
+  val object = val::object();
+  for (const auto& [name, value] : parameters) {
+    object.set(name, std::visit(ParameterValue{}, value));
+  }
+  return object;
+}
+
 val repair_value(const Repair& repair) {
   val object = val::object();
   object.set("code", repair.code);
   object.set("count", repair.count);
-  object.set("text", repair.text);
+  object.set("params", parameters_value(repair.parameters));
   return object;
 }
 
 val notice_value(const Notice& notice) {
   val object = val::object();
   object.set("code", notice.code);
-  object.set("text", notice.text);
+  object.set("params", parameters_value(notice.parameters));
   return object;
 }
 
@@ -384,8 +402,8 @@ struct EventValue {
   }
   val operator()(const ErrorEvent& event) const {
     val object = typed("error");
-    object.set("code", event.code);
-    object.set("text", event.text);
+    object.set("code", event.message.code);
+    object.set("params", parameters_value(event.message.parameters));
     if (!event.faces.empty()) object.set("faces", ints(event.faces));
     return object;
   }

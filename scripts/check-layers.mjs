@@ -6,7 +6,7 @@ import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
 const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', ...unfold];
-const web = ['view', 'export', 'core', 'browser', 'model'];
+const web = ['view', 'export', 'core', 'browser', 'words', 'model'];
 
 /** What each folder may know besides itself. */
 const mayKnow = {
@@ -20,13 +20,14 @@ const mayKnow = {
   'cpp/pipeline': engine.slice(1),
   bindings: engine,
   'web/model': [],
+  'web/words': ['model'],
   'web/browser': [],
-  'web/core': ['browser', 'model'],
+  'web/core': ['browser', 'words', 'model'],
   'web/view': ['browser', 'model'],
-  'web/export': ['model'],
+  'web/export': ['words', 'model'],
   'web/pwa': ['model'],
-  'web/api': ['export', 'core', 'browser', 'model'],
-  'web/cli': ['api', 'export', 'core', 'model'],
+  'web/api': ['export', 'core', 'browser', 'words', 'model'],
+  'web/cli': ['api', 'export', 'core', 'words', 'model'],
   'web/app': ['api', 'pwa', ...web],
   'web/element': ['api', 'app', ...web],
 };

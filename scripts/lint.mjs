@@ -18,6 +18,7 @@ main(() => {
   );
   module('node_modules/eslint/bin/eslint.js', '.', ...(fix ? ['--fix'] : []));
   module('scripts/check-layers.mjs');
+  module('scripts/check-prose.mjs');
   module('scripts/check-addresses.mjs');
   // Other globals exist in a service worker than in a page.
   for (const project of ['.', 'web/pwa']) {

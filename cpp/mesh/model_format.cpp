@@ -22,38 +22,34 @@ struct Signature {
 using namespace std::string_view_literals;  // for signatures with NUL bytes in them
 
 constexpr Signature kSignatures[] = {
-    {"glTF"sv, "a GLB (binary glTF) model"},
-    {"Kaydara FBX Binary"sv, "an FBX model"},
-    {"; FBX"sv, "an FBX model"},
-    {"ISO-10303-21"sv, "a STEP model"},
-    {"BLENDER"sv, "a Blender project"},
-    {"\x28\xB5\x2F\xFD"sv, "a compressed Blender project or another Zstandard archive"},
-    {"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0"sv, "a SketchUp model"},
-    {"3D Geometry File Format"sv, "a Rhino model"},
-    {"#VRML"sv, "a VRML model"},
-    {"VOX "sv, "a MagicaVoxel model"},
-    {"DRACO"sv, "a Draco model"},
-    {"AutoCAD Binary DXF"sv, "a DXF drawing"},
-    {"AC10"sv, "a DWG drawing"},
-    {"%PDF"sv, "a PDF document"},
-    {"%!PS"sv, "a PostScript document"},
-    {"\x89PNG"sv, "a PNG picture"},
-    {"\xFF\xD8\xFF"sv, "a JPEG picture"},
-    {"GIF8"sv, "a GIF picture"},
-    {"\x1F\x8B"sv, "a gzip archive"},
-    {"7z\xBC\xAF\x27\x1C"sv, "a 7-Zip archive"},
-    {"Rar!"sv, "a RAR archive"},
-    {"version https://git-lfs"sv, "a Git LFS pointer to a model"},
+    {"glTF"sv, "glb"},
+    {"Kaydara FBX Binary"sv, "fbx"},
+    {"; FBX"sv, "fbx"},
+    {"ISO-10303-21"sv, "step"},
+    {"BLENDER"sv, "blend"},
+    {"\x28\xB5\x2F\xFD"sv, "zstandard"},
+    {"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0"sv, "skp"},
+    {"3D Geometry File Format"sv, "3dm"},
+    {"#VRML"sv, "vrml"},
+    {"VOX "sv, "vox"},
+    {"DRACO"sv, "draco"},
+    {"AutoCAD Binary DXF"sv, "dxf"},
+    {"AC10"sv, "dwg"},
+    {"%PDF"sv, "pdf"},
+    {"%!PS"sv, "ps"},
+    {"\x89PNG"sv, "png"},
+    {"\xFF\xD8\xFF"sv, "jpeg"},
+    {"GIF8"sv, "gif"},
+    {"\x1F\x8B"sv, "gzip"},
+    {"7z\xBC\xAF\x27\x1C"sv, "7z"},
+    {"Rar!"sv, "rar"},
+    {"version https://git-lfs"sv, "git-lfs"},
 };
 
 /// Words that tell one kind of markup from another, in lower case.
 constexpr Signature kMarkups[] = {
-    {"<collada", "a COLLADA (DAE) model"},
-    {"<x3d", "an X3D model"},
-    {"<amf", "an AMF model"},
-    {"<svg", "an SVG drawing"},
-    {"<html", "a web page"},
-    {"<!doctype html", "a web page"},
+    {"<collada", "dae"}, {"<x3d", "x3d"},   {"<amf", "amf"},
+    {"<svg", "svg"},     {"<html", "html"}, {"<!doctype html", "html"},
 };
 
 /// The header of any markup ends within so many bytes; comments may come before its first element.
@@ -75,20 +71,20 @@ std::string_view markup_name(std::string_view text) {
   for (const auto& [word, name] : kMarkups) {
     if (head.find(word) != std::string::npos) return name;
   }
-  return "an XML document";
+  return "xml";
 }
 
 std::string_view json_name(std::string_view text) {
   if (!text.starts_with('{')) return {};
   const bool is_gltf = text.find("\"asset\"") != std::string_view::npos &&
                        text.find("\"version\"") != std::string_view::npos;
-  return is_gltf ? "a glTF model" : "a JSON document";
+  return is_gltf ? "gltf" : "json";
 }
 
 /// Many formats are ZIP archives: 3MF has its model at a fixed path.
 std::string_view zip_name(std::string_view text) {
   if (!text.starts_with("PK\3\4")) return {};
-  return text.find("3D/3dmodel.model") != std::string_view::npos ? "a 3MF model" : "a ZIP archive";
+  return text.find("3D/3dmodel.model") != std::string_view::npos ? "3mf" : "zip";
 }
 
 /// A 3DS file is one chunk of type 0x4D4D that is as long as the file.
@@ -133,7 +129,7 @@ std::string_view foreign_format(std::span<const std::byte> bytes) {
   for (const auto& [begin, name] : kSignatures) {
     if (text.starts_with(begin)) return name;
   }
-  if (is_3ds(bytes)) return "a 3DS model";
+  if (is_3ds(bytes)) return "3ds";
   const std::string_view written = without_leading_blanks(text);
   for (const std::string_view name : {zip_name(text), markup_name(written), json_name(written)}) {
     if (!name.empty()) return name;

@@ -14,8 +14,8 @@ enum class ModelFormat { kObj, kStl, kOff, kPly };
 /// when nothing shows, as for STL with a wrong count and OFF without a header. Text must be UTF-8.
 std::optional<ModelFormat> format_of_contents(std::span<const std::byte> bytes);
 
-/// Name, for messages, of a format that is known by its first bytes, but not read: "GLB (binary
-/// glTF)". Empty when the contents are of no such format.
+/// A word for a format that is known by its first bytes, but not read: "glb". Empty when the
+/// contents are of no such format.
 std::string_view foreign_format(std::span<const std::byte> bytes);
 
 }  // namespace foldwright

@@ -33,7 +33,7 @@ class OffNumbers {
   template <typename T>
   T read() {
     if (reader_.left() < sizeof(T)) {
-      throw InputError("truncated", prefix(place_) + "the file ends here, but more is announced");
+      throw InputError("truncated", place_, {{"what", "more"}});
     }
     return reader_.read<T>();
   }
@@ -65,7 +65,7 @@ void read_face(OffNumbers& numbers, SoupBuilder& builder) {
 PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& layout) {
   const int counts = layout.has_dimension ? 4 : 3;
   if (bytes.size() < counts * sizeof(std::int32_t)) {
-    throw InputError("truncated", "the file ends after its header");
+    throw InputError("truncated", {{"what", "header-only"}});
   }
   OffNumbers numbers(bytes);
   if (layout.has_dimension) require_three_dimensions(numbers.integer());
@@ -73,7 +73,7 @@ PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& l
   const int faces = numbers.integer();
   numbers.skip(1);  // the number of edges
   if (vertices < 0 || faces < 0) {
-    throw InputError("bad-header", "the counts must not be negative");
+    throw InputError("bad-header", {{"what", "counts"}});
   }
   SoupBuilder builder(0);
   skip_looks(layout, builder);

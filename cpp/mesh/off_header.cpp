@@ -57,9 +57,8 @@ OffLayout read_off_header(TextScanner& scanner) {
   if (parse_integer(first)) return {};  // no header
   std::optional<OffLayout> layout = parse_keyword(first);
   if (!layout) {
-    throw InputError("bad-header", "line " + std::to_string(after_keyword.line()) +
-                                       ": an OFF file begins with OFF, this one with " +
-                                       quoted(first));
+    throw InputError("bad-header", Place{"line", after_keyword.line()},
+                     {{"what", "off-magic"}, {"word", excerpt(first)}});
   }
   scanner = after_keyword;
   if (lower_case(after_keyword.word_in_line()) == "binary") {
@@ -76,8 +75,7 @@ void skip_looks(const OffLayout& layout, SoupBuilder& builder) {
 
 void require_three_dimensions(long long dimension) {
   if (dimension == 3) return;
-  throw InputError("bad-header", "the vertices have " + std::to_string(dimension) +
-                                     " dimensions; only models with 3 can be unfolded");
+  throw InputError("bad-header", {{"what", "dimensions"}, {"dimensions", dimension}});
 }
 
 }  // namespace foldwright

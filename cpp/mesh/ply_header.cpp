@@ -8,8 +8,9 @@
 namespace foldwright {
 namespace {
 
-[[noreturn]] void fail(const TextScanner& scanner, const std::string& sentence) {
-  throw InputError("bad-header", "line " + std::to_string(scanner.line()) + ": " + sentence);
+[[noreturn]] void fail(const TextScanner& scanner, const char* what, Parameters more = {}) {
+  more.insert(more.begin(), {"what", what});
+  throw InputError("bad-header", Place{"line", scanner.line()}, std::move(more));
 }
 
 PlyType parse_type(const TextScanner& scanner, std::string_view word) {
@@ -34,14 +35,14 @@ PlyType parse_type(const TextScanner& scanner, std::string_view word) {
   for (const auto& [name, type] : kNames) {
     if (word == name) return type;
   }
-  fail(scanner, quoted(word) + " is not a property type");
+  fail(scanner, "property-type", {{"word", excerpt(word)}});
 }
 
 PlyEncoding parse_encoding(const TextScanner& scanner, std::string_view word) {
   if (word == "ascii") return PlyEncoding::kAscii;
   if (word == "binary_little_endian") return PlyEncoding::kLittleEndian;
   if (word == "binary_big_endian") return PlyEncoding::kBigEndian;
-  fail(scanner, quoted(word) + " is not a PLY encoding");
+  fail(scanner, "encoding", {{"word", excerpt(word)}});
 }
 
 PlyElement read_element(TextScanner& scanner) {
@@ -49,7 +50,7 @@ PlyElement read_element(TextScanner& scanner) {
   element.name = scanner.word_in_line();
   const std::optional<long long> count = parse_integer(scanner.word_in_line());
   if (!count || *count < 0) {
-    fail(scanner, "element " + quoted(element.name) + " needs a count that is not negative");
+    fail(scanner, "element-count", {{"element", excerpt(element.name)}});
   }
   element.count = *count;
   return element;
@@ -89,7 +90,7 @@ int size_of(PlyType type) {
 
 PlyHeader read_ply_header(TextScanner& scanner) {
   if (const std::string_view magic = scanner.word_in_line(); magic != "ply") {
-    fail(scanner, "a PLY file begins with 'ply', this one with " + quoted(magic));
+    fail(scanner, "ply-magic", {{"word", excerpt(magic)}});
   }
   PlyHeader header;
   bool has_format = false;
@@ -101,20 +102,19 @@ PlyHeader read_ply_header(TextScanner& scanner) {
     } else if (keyword == "element") {
       header.elements.push_back(read_element(scanner));
     } else if (keyword == "property") {
-      if (header.elements.empty()) fail(scanner, "a property stands before any element");
+      if (header.elements.empty()) fail(scanner, "property-first");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword == "end_header") {
-      if (!has_format) fail(scanner, "the header ends without a 'format' line");
+      if (!has_format) fail(scanner, "no-format");
       scanner.next_line();
       return header;
     } else if (keyword == "comment") {
       header.names_texture |= scanner.word_in_line() == "TextureFile";
     } else if (!keyword.empty() && keyword != "obj_info") {
-      fail(scanner, quoted(keyword) + " is not a header keyword");
+      fail(scanner, "keyword", {{"word", excerpt(keyword)}});
     }
   }
-  throw InputError("truncated", "line " + std::to_string(scanner.line()) +
-                                    ": the file ends before 'end_header'");
+  throw InputError("truncated", Place{"line", scanner.line()}, {{"what", "ply-header"}});
 }
 
 }  // namespace foldwright

@@ -4,15 +4,29 @@
 #include <vector>
 
 #include "geometry/vec.h"
+#include "mesh/message.h"
 
 namespace foldwright {
 
 /// Something that was mended or noticed in the input, for the report.
 struct Repair {
-  std::string code;  ///< stable kebab-case word, e.g. "welded-vertices"
-  int count = 0;     ///< how many vertices, edges or faces it concerns
-  std::string text;  ///< one sentence for people
+  std::string code;       ///< stable kebab-case word, e.g. "welded-vertices"
+  int count = 0;          ///< how many vertices, edges or faces it concerns
+  Parameters parameters;  ///< what else its sentence needs
+
+  Repair() = default;
+  Repair(Code word, int concerned, Parameters more = {})
+      : code(word.word()), count(concerned), parameters(std::move(more)) {}
 };
+
+/// A repair as a message: its count is the first parameter.
+inline Message message_of(const Repair& repair) {
+  Message message;
+  message.code = repair.code;
+  message.parameters = repair.parameters;
+  message.parameters.insert(message.parameters.begin(), {"count", repair.count});
+  return message;
+}
 
 /// An axis of the coordinates.
 enum class Axis { kX, kY, kZ };

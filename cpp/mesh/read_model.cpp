@@ -26,8 +26,6 @@ constexpr std::array<FormatEntry, 4> kFormats = {{{ModelFormat::kObj, "obj", "OB
                                                   {ModelFormat::kOff, "off", "OFF", read_off},
                                                   {ModelFormat::kPly, "ply", "PLY", read_ply}}};
 
-constexpr const char* kFormatsThatAreRead = "; OBJ, STL, OFF and PLY are";
-
 bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); }
 
 /// The ending in lower case; empty when what follows the last point is not like one: "v1.2 final".
@@ -54,23 +52,20 @@ const FormatEntry* entry_of_contents(std::span<const std::byte> bytes) {
 }
 
 [[noreturn]] void fail_unknown(const std::string& ending) {
-  const std::string what =
-      ending.empty() ? "neither the file's contents nor an ending of its name tell its format"
-                     : "files that end in '." + ending + "' are not read";
-  throw InputError("unknown-format", what + kFormatsThatAreRead);
+  if (ending.empty()) throw InputError("unknown-format", {{"what", "nothing"}});
+  throw InputError("unknown-format", {{"what", "ending"}, {"ending", ending}});
 }
 
 void refuse_foreign(std::span<const std::byte> bytes) {
   const std::string_view name = foreign_format(bytes);
   if (name.empty()) return;
-  throw InputError("unknown-format", "the file is " + std::string(name) + ", which is not read" +
-                                         kFormatsThatAreRead);
+  throw InputError("unknown-format", {{"what", "contents"}, {"format", name}});
 }
 
 }  // namespace
 
 PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_name) {
-  if (bytes.empty()) throw InputError("empty-file", "the file is empty");
+  if (bytes.empty()) throw InputError("empty-file");
   std::string text;
   if (!has_size_of_binary_stl(bytes)) {
     refuse_foreign(bytes);
@@ -83,8 +78,7 @@ PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_n
   if (found == nullptr) fail_unknown(ending);
   PolygonSoup soup = found->read(bytes);
   if (found != named && !ending.empty()) {
-    soup.repairs.push_back(
-        {"other-format", 1, "the file is named ." + ending + ", but holds " + found->name});
+    soup.repairs.push_back({"other-format", 1, {{"ending", ending}, {"format", found->name}}});
   }
   // What STL files are made for, printers and machine tools, has its bed in the plane of x and y.
   if (found->format == ModelFormat::kStl) soup.usual_up = Axis::kZ;

@@ -14,7 +14,7 @@ Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
 double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   const std::string_view word = scanner.word_in_line();
   if (word.empty()) {
-    throw InputError("truncated", prefix(here(scanner)) + "vertex has fewer than 3 coordinates");
+    throw InputError("truncated", here(scanner), {{"what", "coordinates"}});
   }
   return builder.text_coordinate(word, scanner.line());
 }
@@ -32,9 +32,8 @@ void add_corner(SoupBuilder& builder, std::string_view word, const Place& place)
   if (index >= 0) return builder.add_corner(index);
   const long long absolute = builder.vertex_count() + 1 + index;
   if (absolute < 1) {
-    throw InputError("bad-index", prefix(place) + "face refers to vertex " + std::to_string(index) +
-                                      ", but only " + std::to_string(builder.vertex_count()) +
-                                      " vertices come before it");
+    throw InputError("bad-index", place,
+                     {{"what", "before"}, {"index", index}, {"vertices", builder.vertex_count()}});
   }
   builder.add_corner(absolute);
 }
@@ -63,7 +62,7 @@ void read_face(TextScanner& scanner, SoupBuilder& builder) {
   // A short face elsewhere is one bad face; at the very end, without a line break, it tells that
   // the rest of the file is missing.
   if (corners < 3 && scanner.at_end()) {
-    throw InputError("truncated", prefix(place) + "the file ends in the middle of a face");
+    throw InputError("truncated", place, {{"what", "face"}});
   }
   builder.end_face(place);
 }
@@ -84,27 +83,20 @@ struct Ignored {
   int total() const { return points + lines + curves + surfaces; }
 };
 
-void append_count(std::string& list, int count, const char* what) {
-  if (count == 0) return;
-  if (!list.empty()) list += ", ";
-  list += std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 void note_ignored(const Ignored& ignored, SoupBuilder& builder) {
   if (ignored.total() == 0) return;
-  std::string list;
-  append_count(list, ignored.points, "point element");
-  append_count(list, ignored.lines, "line element");
-  append_count(list, ignored.curves, "free-form curve");
-  append_count(list, ignored.surfaces, "free-form surface");
-  builder.note({"ignored-elements", ignored.total(), "ignored, since only faces fold: " + list});
+  builder.note({"ignored-elements",
+                ignored.total(),
+                {{"points", ignored.points},
+                 {"lines", ignored.lines},
+                 {"curves", ignored.curves},
+                 {"surfaces", ignored.surfaces}}});
 }
 
 /// Says why there is no face where the file has shapes of another kind.
 void require_faces(const Ignored& ignored, const SoupBuilder& builder) {
   if (builder.face_count() > 0 || ignored.surfaces == 0) return;
-  throw InputError("no-faces",
-                   "the file has free-form surfaces ('surf') but no faces; save it as polygons");
+  throw InputError("no-faces", {{"what", "surfaces"}});
 }
 
 }  // namespace

@@ -13,16 +13,11 @@ namespace {
 
 Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
 
-[[noreturn]] void fail(const TextScanner& scanner, const char* code, const std::string& sentence) {
-  throw InputError(code, prefix(here(scanner)) + sentence);
-}
-
-/// The counts are never trusted with an allocation, only with this sentence.
+/// The counts are never trusted with an allocation, only with this message.
 [[noreturn]] void fail_at_end(const TextScanner& scanner, const char* what, long long done,
                               long long announced) {
-  fail(scanner, "truncated",
-       "the file ends after " + std::to_string(done) + " of " + std::to_string(announced) + " " +
-           what);
+  throw InputError("truncated", here(scanner),
+                   {{"what", what}, {"done", done}, {"announced", announced}});
 }
 
 struct Counts {
@@ -33,12 +28,12 @@ struct Counts {
 Counts read_counts(TextScanner& scanner, const OffLayout& layout) {
   if (layout.has_dimension) require_three_dimensions(scanner.integer());
   if (TextScanner(scanner).word().empty()) {
-    fail(scanner, "truncated", "the file ends after its header");
+    throw InputError("truncated", here(scanner), {{"what", "header-only"}});
   }
   const long long vertices = scanner.integer();
   const Counts counts{vertices, scanner.integer()};
   if (counts.vertices < 0 || counts.faces < 0) {
-    fail(scanner, "bad-header", "the counts must not be negative");
+    throw InputError("bad-header", here(scanner), {{"what", "counts"}});
   }
   return counts;
 }
@@ -126,7 +121,7 @@ void read_vertex(TextScanner& scanner, const OffLayout& layout, SoupBuilder& bui
   }
   if (layout.is_homogeneous) {
     const double w = scanner.number();
-    if (w == 0) fail(scanner, "not-finite", "the fourth coordinate of a vertex must not be 0");
+    if (w == 0) throw InputError("not-finite", here(scanner), {{"what", "weight"}});
     position /= w;
   }
   builder.add_vertex(position, place);
@@ -167,9 +162,7 @@ PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
   }
   if (find_word(scanner)) {
     const int rest = static_cast<int>(1 + lines_with_words(scanner));
-    builder.note({"trailing-lines", rest,
-                  std::to_string(rest) + (rest == 1 ? " line" : " lines") +
-                      " after the last face " + (rest == 1 ? "was" : "were") + " ignored"});
+    builder.note({"trailing-lines", rest});
   }
   return builder.finish();
 }

@@ -90,9 +90,10 @@ class PlyData {
   long long index_ = 0;
 
   [[noreturn]] void fail_at_end() const {
-    throw InputError("truncated",
-                     prefix(place()) + "the file ends here, but its header announces " +
-                         std::to_string(element_->count) + " of element " + quoted(element_->name));
+    throw InputError("truncated", place(),
+                     {{"what", "element"},
+                      {"announced", element_->count},
+                      {"element", excerpt(element_->name)}});
   }
 };
 
@@ -134,17 +135,18 @@ std::vector<Role> roles_of(const PlyElement& element) {
   }
   const auto require = [&](Role role, const char* name) {
     if (std::count(roles.begin(), roles.end(), role) == 1) return;
-    throw InputError("bad-header",
-                     "element " + quoted(element.name) + " needs one property " + name);
+    throw InputError(
+        "bad-header",
+        {{"what", "property"}, {"element", excerpt(element.name)}, {"property", name}});
   };
   if (element.name == "vertex") {
-    require(Role::kX, "'x'");
-    require(Role::kY, "'y'");
-    require(Role::kZ, "'z'");
+    require(Role::kX, "x");
+    require(Role::kY, "y");
+    require(Role::kZ, "z");
   } else if (element.name == "face") {
-    require(Role::kCorners, "'vertex_indices' that is a list");
+    require(Role::kCorners, "vertex_indices");
   } else if (element.name == "tristrips") {
-    require(Role::kStrips, "'vertex_indices' that is a list");
+    require(Role::kStrips, "vertex_indices");
   }
   return roles;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -25,12 +24,9 @@
 namespace foldwright {
 namespace {
 
-/// Adds a sentence such as "1 face was turned" or "2 faces were turned", if there is any.
-void report(RepairedModel& model, const char* code, int count, const std::string& one,
-            const std::string& many, const std::string& what) {
-  if (count == 0) return;
-  model.repairs.push_back(
-      {code, count, std::to_string(count) + " " + (count == 1 ? one : many) + " " + what});
+/// Notes what happened to some vertices, edges or faces, if it happened to any.
+void report(RepairedModel& model, Code code, int count, Parameters more = {}) {
+  if (count > 0) model.repairs.push_back({code, count, std::move(more)});
 }
 
 /// The model's own units and the repair's, in which it is about 1 across: squares of areas would
@@ -55,9 +51,9 @@ Frame frame_of(std::span<const Vec3> positions) {
   for (const Vec3& p : positions) box.extend(p);
   const Vec3 half = 0.5 * box.max() - 0.5 * box.min();  // without overflow
   const double size = half.maxCoeff();
-  if (size == 0) throw InputError("no-area", "all vertices of the model lie at the same place");
+  if (size == 0) throw InputError("no-area", {{"what", "point"}});
   if (size < kSmallest || size > kLargest) {
-    throw InputError("bad-size", "the model's size is out of range; 1e-60 to 1e60 is supported");
+    throw InputError("bad-size", {{"least", kSmallest}, {"most", kLargest}});
   }
   Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0};
   std::frexp(size, &frame.exponent);
@@ -96,14 +92,12 @@ TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& u
     vertex_of[used[i]] = standing_for[i];
     welded += standing_for[i] != static_cast<int>(i);
   }
-  report(model, "welded-vertices", welded, "vertex was", "vertices were",
-         "merged with others at the same place");
+  report(model, "welded-vertices", welded);
   int polygons = 0;
   for (int f = 0; f < soup.face_count(); ++f) {
     polygons += soup.first_corner[f + 1] - soup.first_corner[f] > 3;
   }
-  report(model, "triangulated-polygons", polygons, "face with more than three corners was",
-         "faces with more than three corners were", "cut into triangles");
+  report(model, "triangulated-polygons", polygons);
   std::vector<double> errors(positions.size(), frame.scaled(soup.precision));
   for (std::size_t i = 0; i < used.size(); ++i) {
     const int stands = standing_for[i];
@@ -113,13 +107,6 @@ TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& u
   TriangleSoup triangles = triangulate_soup(soup, vertex_of, std::move(positions));
   triangles.errors = std::move(errors);
   return triangles;
-}
-
-/// A length in the model's units as people write it: "0.002".
-std::string written(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", length);
-  return text;
 }
 
 /// Number of source faces in a list of which nothing is left.
@@ -149,12 +136,9 @@ class FaceDropper {
 
   void report_to(RepairedModel& model, const TriangleSoup& triangles) const {
     const int left = count_sources(triangles, source_count_, nullptr);
-    report(model, "dropped-degenerate-faces", source_count_ - left - duplicates_ - two_sided_,
-           "face was", "faces were", "dropped for having no area");
-    report(model, "dropped-duplicate-faces", duplicates_, "face was", "faces were",
-           "dropped for repeating another one");
-    report(model, "merged-two-sided", two_sided_, "face was", "faces were",
-           "given a second time from the other side; both sides are one skin of paper now");
+    report(model, "dropped-degenerate-faces", source_count_ - left - duplicates_ - two_sided_);
+    report(model, "dropped-duplicate-faces", duplicates_);
+    report(model, "merged-two-sided", two_sided_);
   }
 
  private:
@@ -187,12 +171,9 @@ void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions
   const ClosedCracks cracks = close_cracks(triangles, options.widest_crack * frame.diagonal);
   dropper.drop(triangles);
   dropper.report_to(model, triangles);
-  report(model, "closed-t-junctions", junctions, "edge was", "edges were",
-         "cut at vertices of its neighbours to close a crack");
-  report(model, "closed-cracks", cracks.edges, "edge was", "edges were",
-         "joined to others across cracks, the widest " +
-             written(frame.in_model_units(cracks.width)) + " of the model's units wide");
-  if (triangles.faces.empty()) throw InputError("no-area", "no face of the model has an area");
+  report(model, "closed-t-junctions", junctions);
+  report(model, "closed-cracks", cracks.edges, {{"width", frame.in_model_units(cracks.width)}});
+  if (triangles.faces.empty()) throw InputError("no-area", {{"what", "faces"}});
 }
 
 /// Makes flat what was drawn flat.
@@ -201,9 +182,7 @@ void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& m
   std::vector<char> flattened(triangles.faces.size(), false);
   for (const int face : flattening.faces) flattened[face] = true;
   report(model, "flattened-faces", count_sources(triangles, model.source_face_count, &flattened),
-         "face was", "faces were",
-         "made exactly flat, as drawn; no corner moved by more than " +
-             written(frame.in_model_units(flattening.distance)) + " of the model's units");
+         {{"distance", frame.in_model_units(flattening.distance)}});
 }
 
 /// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
@@ -228,16 +207,11 @@ void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
   const int turned_faces = count_sources(triangles, model.source_face_count, &turned);
 
   const Splits splits = split_nonmanifold(triangles, partners);
-  report(model, "flipped-faces", turned_faces, "face was", "faces were",
-         "turned over, so that all have the same side outside");
-  report(model, "split-nonmanifold-edges", nonmanifold_edges, "edge", "edges",
-         "with more than two faces came apart");
-  report(model, "split-nonmanifold-vertices", splits.vertices, "vertex", "vertices",
-         "where surfaces only touch came apart");
-  report(model, "halved-edges", splits.midpoints, "edge was", "edges were",
-         "halved, since two edges connected the same vertices");
-  report(model, "cut-nonorientable", static_cast<int>(whole.contradictions.size()), "edge was",
-         "edges were", "cut open, since the surface has only one side");
+  report(model, "flipped-faces", turned_faces);
+  report(model, "split-nonmanifold-edges", nonmanifold_edges);
+  report(model, "split-nonmanifold-vertices", splits.vertices);
+  report(model, "halved-edges", splits.midpoints);
+  report(model, "cut-nonorientable", static_cast<int>(whole.contradictions.size()));
 }
 
 /// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
@@ -267,18 +241,11 @@ Mesh finished_mesh(TriangleSoup&& triangles, const Frame& frame) {
 void report_shape(RepairedModel& model, const RepairOptions& options) {
   int borders = 0;
   for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
-  report(model, "open-border", borders, "edge lies", "edges lie",
-         "on the border of an open surface; gaps wider than " + written(options.widest_crack) +
-             " of the model's size, or wide against the edges beside them, are left open");
+  report(model, "open-border", borders, {{"gap", options.widest_crack}});
   const Crossings crossings = find_crossings(model.mesh);
-  report(model, "crossing-bodies", crossings.pairs, "pair of bodies runs", "pairs of bodies run",
-         "through each other: their pieces would collide when assembled; unite them in the "
-         "modelling program");
-  report(model, "self-crossing-bodies", crossings.bodies, "body runs", "bodies run",
-         "through itself: its pieces would collide when assembled; mend it in the modelling "
-         "program");
-  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count(), "face is",
-         "faces are", "too many to look whether bodies run through each other");
+  report(model, "crossing-bodies", crossings.pairs);
+  report(model, "self-crossing-bodies", crossings.bodies);
+  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count());
 }
 
 }  // namespace
@@ -288,9 +255,8 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   model.repairs = soup.repairs;
   model.source_face_count = soup.face_count();
   const std::vector<int> used = used_vertices(soup.corners, soup.positions.size());
-  if (used.empty()) throw InputError("no-faces", "the model has no faces");
-  report(model, "dropped-unused-vertices", static_cast<int>(soup.positions.size() - used.size()),
-         "vertex was", "vertices were", "dropped, since no face uses it");
+  if (used.empty()) throw InputError("no-faces", {{"what", "model"}});
+  report(model, "dropped-unused-vertices", static_cast<int>(soup.positions.size() - used.size()));
 
   std::vector<Vec3> used_positions;
   for (const int v : used) used_positions.push_back(soup.positions[v]);

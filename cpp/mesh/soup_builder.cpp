@@ -7,10 +7,6 @@
 
 namespace foldwright {
 
-std::string prefix(const Place& place) {
-  return place.unit + (" " + std::to_string(place.number)) + ": ";
-}
-
 double SoupBuilder::text_coordinate(std::string_view word, int line) {
   const double value = number_of(word, line);
   precision_.add_text(word, value);
@@ -29,7 +25,7 @@ double SoupBuilder::double_coordinate(double value) {
 
 void SoupBuilder::add_vertex(const Vec3& position, const Place& place) {
   if (!position.allFinite()) {
-    throw InputError("not-finite", prefix(place) + "a coordinate is not a finite number");
+    throw InputError("not-finite", place, {{"what", "coordinate"}});
   }
   soup_.positions.push_back(position);
 }
@@ -41,20 +37,18 @@ void SoupBuilder::end_face(const Place& place) {
 
 PolygonSoup SoupBuilder::finish() {
   if (soup_.face_count() == 0) {
-    throw InputError("no-faces", vertex_count() == 0
-                                     ? "the file has neither vertices nor faces"
-                                     : "the file has vertices but no faces; points and lines alone "
-                                       "cannot be unfolded");
+    throw InputError("no-faces", {{"what", vertex_count() == 0 ? "nothing" : "vertices"}});
   }
   soup_.corners.reserve(corners_.size());
   for (int f = 0; f < soup_.face_count(); ++f) {
     for (int i = soup_.first_corner[f]; i < soup_.first_corner[f + 1]; ++i) {
       const long long index = corners_[i] - first_index_;
       if (index < 0 || index >= vertex_count()) {
-        throw InputError("bad-index", prefix(places_[f]) + "face refers to vertex " +
-                                          std::to_string(corners_[i]) + ", but the file has " +
-                                          std::to_string(vertex_count()) + " vertices" +
-                                          (first_index_ == 0 ? ", counted from 0" : ""));
+        throw InputError("bad-index", places_[f],
+                         {{"what", "beyond"},
+                          {"index", corners_[i]},
+                          {"vertices", vertex_count()},
+                          {"first", first_index_}});
       }
       soup_.corners.push_back(static_cast<int>(index));
     }

@@ -5,20 +5,12 @@
 #include <vector>
 
 #include "mesh/coordinate_precision.h"
+#include "mesh/message.h"
 #include "mesh/polygon_soup.h"
 
 namespace foldwright {
 
-/// Where something stands in a file, for messages: "line 23" or "triangle 7".
-struct Place {
-  const char* unit;
-  long long number;
-};
-
-/// "line 23: "
-std::string prefix(const Place& place);
-
-/// Collects what a reader finds and checks it, so that all formats fail with the same sentences.
+/// Collects what a reader finds and checks it, so that all formats fail with the same messages.
 class SoupBuilder {
  public:
   /// `first_index`: the number of the first vertex in the format, 0 or 1.

@@ -55,17 +55,15 @@ bool has_size_of_binary_stl(std::span<const std::byte> bytes) {
 
 PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeaderSize) {
-    throw InputError("truncated", "the file has " + std::to_string(bytes.size()) +
-                                      " bytes, too few for the header of a binary STL");
+    throw InputError("truncated", {{"what", "stl-header"}, {"bytes", bytes.size()}});
   }
   ByteReader reader = after_free_text(bytes);
   const long long announced = reader.read<std::uint32_t>();
   const long long present = static_cast<long long>(reader.left() / kTriangleSize);
   const bool ends_whole = reader.left() % kTriangleSize == 0;
   if (announced > present && !ends_whole) {
-    throw InputError("truncated", "triangle " + std::to_string(present + 1) +
-                                      ": the file ends here, but its header announces " +
-                                      std::to_string(announced) + " triangles");
+    throw InputError("truncated", Place{"triangle", present + 1},
+                     {{"what", "triangles"}, {"announced", announced}});
   }
   // Exporters that stream their output leave any count before whole triangles, mostly 0.
   const bool wrong_count = announced != present && (ends_whole || announced == 0);
@@ -74,14 +72,10 @@ PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
   if (names_colour(bytes)) builder.skip_colours();
   for (long long t = 1; t <= count; ++t) add_triangle(reader, builder, t);
   if (wrong_count) {
-    builder.note({"wrong-count", clamped(present),
-                  "the header announces " + std::to_string(announced) +
-                      " triangles, but the file has " + std::to_string(present) +
-                      ", which were all read"});
+    builder.note({"wrong-count", clamped(present), {{"announced", announced}}});
   }
   if (reader.left() > 0) {
-    builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left())),
-                  std::to_string(reader.left()) + " bytes after the last triangle were ignored"});
+    builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left()))});
   }
   return builder.finish();
 }

@@ -94,8 +94,7 @@ class StlText {
     }
     if (in_face_) fail_unexpected("");
     if (in_solid_) {
-      builder_.note({"missing-endsolid", 1,
-                     "the file ends without 'endsolid'; triangles may be missing at its end"});
+      builder_.note({"missing-endsolid", 1});
     }
     return builder_.finish();
   }
@@ -169,13 +168,11 @@ class StlText {
 
   [[noreturn]] void fail_unexpected(std::string_view word) const {
     const Place place{"line", scanner_.line()};
-    const std::string expected = in_face_ ? "'endloop'" : "'facet'";
+    const char* expected = in_face_ ? "endloop" : "facet";
     if (scanner_.at_end()) {  // the last word may be half of the expected one
-      throw InputError("truncated",
-                       prefix(place) + "the file ends where " + expected + " is expected");
+      throw InputError("truncated", place, {{"what", "keyword"}, {"expected", expected}});
     }
-    throw InputError("bad-syntax",
-                     prefix(place) + quoted(word) + " stands where " + expected + " is expected");
+    throw InputError("bad-syntax", place, {{"word", excerpt(word)}, {"expected", expected}});
   }
 };
 

@@ -116,8 +116,7 @@ void refuse_nul(std::span<const std::byte> text) {
   TextScanner scanner(text.first(nul + 1));
   while (scanner.next_line()) {
   }
-  throw InputError("bad-text", "line " + std::to_string(scanner.line()) +
-                                   ": a NUL byte stands in the text; the file is damaged");
+  throw InputError("bad-text", Place{"line", scanner.line()});
 }
 
 }  // namespace foldwright

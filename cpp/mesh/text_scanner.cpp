@@ -18,8 +18,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' |
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string line_prefix(int line) { return "line " + std::to_string(line) + ": "; }
-
 /// Digits and decimal exponent of a number: value = digits * 10^exponent.
 struct Decimal {
   bool negative = false;
@@ -127,7 +125,7 @@ std::optional<double> parse_non_finite(std::string_view word) {
 }
 
 [[noreturn]] void fail_at_end(int line) {
-  throw InputError("truncated", line_prefix(line) + "the file ends where a number is expected");
+  throw InputError("truncated", Place{"line", line}, {{"what", "number"}});
 }
 
 }  // namespace
@@ -221,25 +219,21 @@ std::optional<long long> parse_integer(std::string_view word) {
 
 double number_of(std::string_view word, int line) {
   if (const std::optional<double> value = parse_number(word)) return *value;
-  if (word.find(',') != std::string_view::npos) {
-    throw InputError("bad-number", line_prefix(line) + quoted(word) +
-                                       " has a comma; numbers need a decimal point");
-  }
-  throw InputError("bad-number",
-                   line_prefix(line) + quoted(word) + " stands where a number is expected");
+  const bool has_comma = word.find(',') != std::string_view::npos;
+  throw InputError("bad-number", Place{"line", line},
+                   {{"what", has_comma ? "comma" : "number"}, {"word", excerpt(word)}});
 }
 
 long long integer_of(std::string_view word, int line) {
   if (const std::optional<long long> value = parse_integer(word)) return *value;
-  throw InputError("bad-number",
-                   line_prefix(line) + quoted(word) + " stands where a whole number is expected");
+  throw InputError("bad-number", Place{"line", line}, {{"what", "whole"}, {"word", excerpt(word)}});
 }
 
-std::string quoted(std::string_view word) {
+std::string excerpt(std::string_view word) {
   constexpr std::size_t kLongest = 24;  // enough to recognise the place
-  std::string text = "'";
+  std::string text;
   for (const char c : word.substr(0, kLongest)) text += c > ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > kLongest ? "...'" : "'");
+  return word.size() > kLongest ? text + "..." : text;
 }
 
 std::string lower_case(std::string_view word) {

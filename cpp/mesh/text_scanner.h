@@ -68,8 +68,8 @@ double number_of(std::string_view word, int line);
 /// The word as a whole number. \throw InputError ("bad-number") naming the line
 long long integer_of(std::string_view word, int line);
 
-/// The word in quotes, shortened and without unprintable characters, fit for a message.
-std::string quoted(std::string_view word);
+/// The word, shortened and without unprintable characters, fit for a message.
+std::string excerpt(std::string_view word);
 
 /// ASCII lower case, whatever the locale.
 std::string lower_case(std::string_view word);

@@ -77,9 +77,8 @@ TriangleSoup triangulate_soup(const PolygonSoup& soup, std::span<const int> vert
     std::vector<int> ring = clean(polygon);
     if (ring.size() < 3) continue;
     if (ring.size() > kMostCorners) {
-      throw InputError("too-many-corners", "face " + std::to_string(f + 1) + " has " +
-                                               std::to_string(ring.size()) +
-                                               " corners; up to 10000 are supported");
+      throw InputError("too-many-corners",
+                       {{"face", f + 1}, {"corners", ring.size()}, {"most", kMostCorners}});
     }
     add_polygon(triangles, std::move(ring), f);
   }

@@ -49,9 +49,7 @@ std::map<int, EdgeChoice> choices_by_edge(const Mesh& mesh, std::span<const Flap
     } else if (back != edges.end()) {
       chosen[back->second] = {from_behind(flaps), height};
     } else {
-      throw InputError("bad-option", "a flap is chosen for the edge from vertex " +
-                                         std::to_string(from) + " to " + std::to_string(to) +
-                                         ", which the model does not have");
+      throw InputError("bad-option", {{"what", "flap-edge"}, {"from", from}, {"to", to}});
     }
   }
   return chosen;

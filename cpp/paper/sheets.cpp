@@ -132,23 +132,23 @@ class PinnedPieces {
 };
 
 /// Says why pins cannot stay; empty if they can.
-std::string fault_of_pins(const SheetTask& task, const Extent& room) {
+std::optional<Parameters> fault_of_pins(const SheetTask& task, const Extent& room) {
   PinnedPieces pinned;
   for (std::size_t i = 0; i < task.pins.size(); ++i) {
     if (!task.pins[i]) continue;
     const int sheet = task.pins[i]->place.sheet;
     PlacedPrint print(placed(task.pieces[i], *task.pins[i], task.options));
     if (!is_within(print.print, room)) {
-      return "piece " + task.names[i] + " is pinned partly outside the printable area of sheet " +
-             std::to_string(sheet + 1);
+      return {{{"what", "outside"}, {"piece", task.names[i]}, {"sheet", sheet + 1}}};
     }
     if (const auto other = pinned.hit_by(sheet, print)) {
-      return "pieces " + task.names[*other] + " and " + task.names[i] +
-             " are pinned on top of each other on sheet " + std::to_string(sheet + 1);
+      return {{{"what", "overlap"},
+               {"pieces", std::vector{task.names[*other], task.names[i]}},
+               {"sheet", sheet + 1}}};
     }
     pinned.add(i, sheet, std::move(print));
   }
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -182,18 +182,18 @@ class SheetPlanner::Work {
   /// Keeps the first sheet on which pins can stay, if there are any.
   void check_pins() {
     if (std::ranges::none_of(task_.pins, [](const auto& pin) { return pin.has_value(); })) return;
-    std::string fault;
+    std::optional<Parameters> fault;
     for (current_ = 0; current_ < sheets_.size(); ++current_) {
-      const std::string found = fault_of_pins(task_, room());
-      if (found.empty()) {
+      std::optional<Parameters> found = fault_of_pins(task_, room());
+      if (!found) {
         sheets_ = {sheets_[current_]};
         current_ = 0;
         has_pins_ = true;
         return;
       }
-      if (fault.empty()) fault = found;
+      if (!fault) fault = std::move(found);
     }
-    throw InputError("bad-pin", fault);
+    throw InputError("bad-pin", *fault);
   }
 
   void begin() {
@@ -327,8 +327,7 @@ double ruled_margin(const SheetOptions& options) {
 Extent printable(const SheetOptions& options) {
   const Extent room = room_on({options.width, options.height}, options);
   if (room.width <= 0 || room.height <= 0) {
-    throw InputError("bad-margin",
-                     "margins leave nothing of the sheet: paper and margin do not fit");
+    throw InputError("bad-margin");
   }
   return room;
 }

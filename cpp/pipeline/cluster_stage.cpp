@@ -1,5 +1,3 @@
-#include <string>
-
 #include "mesh/input_error.h"
 #include "pipeline/matrix_picture.h"
 #include "pipeline/model_size.h"
@@ -53,9 +51,7 @@ Labels label_component(const JobState& state, Component& component) {
 
 /// What an edit asks for, and folds that are never to be cut do not allow.
 InputError held_together(const Component& component) {
-  return InputError("locked", "locked folds hold the faces together: " +
-                                  std::to_string(component.part_numbers.size()) +
-                                  " parts cannot be made of them");
+  return InputError("locked", {{"what", "parts"}, {"parts", component.part_numbers.size()}});
 }
 
 /// Makes the parts, and numbers them through all components.

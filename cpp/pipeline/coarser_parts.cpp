@@ -67,10 +67,11 @@ bool CoarserParts::end(JobState& state) {
     if (is_better) {
       has_changed = true;
       make_parts(state, trial.component, found);
-      state.notices.push_back(
-          {"parts-raised", "in " + std::to_string(parts) + " parts it would come to " +
-                               std::to_string(trial.parts.size()) + " pieces, so it was cut into " +
-                               std::to_string(found.size()) + " parts instead, each in one piece"});
+      state.notices.push_back({"parts-raised",
+                               {{"what", "pieces"},
+                                {"parts", parts},
+                                {"pieces", trial.parts.size()},
+                                {"instead", found.size()}}});
     }
     std::vector<FoundNet>& kept = is_better ? found : trial.parts;
     std::ranges::move(kept, std::back_inserter(state.nets));

@@ -8,7 +8,6 @@
 
 #include "mesh/connectivity.h"
 #include "mesh/input_error.h"
-#include "pipeline/counted.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/saved_net.h"
 
@@ -17,16 +16,10 @@ namespace {
 
 using Panels = std::vector<int>;
 
-InputError bad_edit(const std::string& sentence) { return InputError("bad-edit", sentence); }
-
-/// "part 3", "parts 1 and 2", "parts 1, 2 and 5"
-std::string names_of(const std::vector<int>& parts) {
-  std::string names = parts.size() == 1 ? "part " : "parts ";
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) names += i + 1 == parts.size() ? " and " : ", ";
-    names += std::to_string(parts[i] + 1);
-  }
-  return names;
+/// The parts as people count them.
+std::vector<int> numbers_of(std::vector<int> parts) {
+  for (int& part : parts) ++part;
+  return parts;
 }
 
 /// The panels of each part of the earlier result.
@@ -52,14 +45,14 @@ std::vector<Panels> panels_by_part(const DualGraph& graph, const std::vector<int
 void check_names(int part_count, std::span<const PartEdit> edits) {
   std::set<int> named;
   for (const PartEdit& edit : edits) {
-    if (edit.parts.empty()) throw bad_edit("an edit must name a part");
+    if (edit.parts.empty()) throw InputError("bad-edit", {{"what", "no-part-named"}});
     for (const int part : edit.parts) {
       if (part < 0 || part >= part_count) {
-        throw bad_edit("there is no " + names_of({part}) + ": the model has " +
-                       counted(part_count, "part"));
+        throw InputError("bad-edit",
+                         {{"what", "no-part"}, {"part", part + 1}, {"parts", part_count}});
       }
       if (!named.insert(part).second) {
-        throw bad_edit(names_of({part}) + " is named twice: one change at a time for each part");
+        throw InputError("bad-edit", {{"what", "twice"}, {"part", part + 1}});
       }
     }
   }
@@ -74,13 +67,13 @@ Component edited(const DualGraph& graph, const std::vector<Panels>& parts, const
   std::ranges::sort(panels);
   Component component = make_component(graph, std::move(panels));
   if (!is_connected(component.graph)) {
-    throw bad_edit(names_of(edit.parts) + " do not touch, so they cannot become one");
+    throw InputError("bad-edit", {{"what", "apart"}, {"parts", numbers_of(edit.parts)}});
   }
   const int most = component.graph.panel_count();
   if (edit.into < 1 || edit.into > most) {
-    throw bad_edit(names_of(edit.parts) + " cannot become " + counted(edit.into, "part") +
-                   ": from 1 to " + std::to_string(most) +
-                   " are possible, one for each flat panel");
+    throw InputError(
+        "bad-edit",
+        {{"what", "into"}, {"parts", numbers_of(edit.parts)}, {"into", edit.into}, {"most", most}});
   }
   component.parts = edit.into;
   return component;

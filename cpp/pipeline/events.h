@@ -56,7 +56,7 @@ struct CancelledEvent {
   std::shared_ptr<const JobResult> best;
 };
 struct ErrorEvent {
-  std::string code, text;
+  Message message;
   std::vector<int> faces = {};  ///< of the mesh, that it is about
 };
 

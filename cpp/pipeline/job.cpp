@@ -11,19 +11,13 @@ namespace {
 
 /// What there is to know of a stage beside its work.
 struct StageFacts {
-  double share;            ///< of a usual job's time
-  const char* doing;       ///< as in "there is not enough memory for ..."
-  const char* would_help;  ///< where memory ends
+  const char* name;
+  double share;  ///< of a usual job's time
 };
 
 /// In the order of `StageId`.
-constexpr StageFacts kStages[] = {
-    {0.02, "reading and repairing the model", "simplify the model in the program that made it"},
-    {0.2, "learning from unfoldings", "simplify the model to fewer faces"},
-    {0.08, "cutting the model into parts", "simplify the model to fewer faces"},
-    {0.2, "searching nets", "simplify the model to fewer faces"},
-    {0.45, "making room for flaps", "simplify the model to fewer faces"},
-    {0.05, "placing pieces on sheets", "choose a smaller size, smaller paper or fewer faces"}};
+constexpr StageFacts kStages[] = {{"read", 0.02},  {"learn", 0.2},    {"cluster", 0.08},
+                                  {"search", 0.2}, {"compact", 0.45}, {"paper", 0.05}};
 
 }  // namespace
 
@@ -57,22 +51,19 @@ template <class Action>
 Events Job::guarded(Action&& action) {
   Events events;
   if (finished_) return events;
-  const auto fail = [&](const std::string& code, const std::string& text,
-                        std::vector<int> faces = {}) {
-    events.push_back(ErrorEvent{code, text, std::move(faces)});
+  const auto fail = [&](Message message, std::vector<int> faces = {}) {
+    events.push_back(ErrorEvent{std::move(message), std::move(faces)});
     finished_ = true;
   };
+  const char* stage = kStages[current_].name;
   try {
     action(events);
   } catch (const InputError& error) {
-    fail(error.code(), error.what(), error.faces());
+    fail(error.message(), error.faces());
   } catch (const std::bad_alloc&) {
-    const StageFacts& stage = kStages[current_];
-    fail("out-of-memory",
-         std::string("there is not enough memory for ") + stage.doing + ": " + stage.would_help);
+    fail({"out-of-memory", {{"what", stage}}});
   } catch (const std::exception& error) {
-    fail("internal",
-         std::string("internal error while ") + kStages[current_].doing + ": " + error.what());
+    fail({"internal", {{"what", stage}, {"detail", error.what()}}});
   }
   return events;
 }

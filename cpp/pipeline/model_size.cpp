@@ -14,9 +14,9 @@ constexpr double kLeastModel = 20;  // mm
 // that just fit A4 cover 0.17 to 0.62 of it: a part that is larger than that will be cut again.
 constexpr double kSheetShare = 0.65;
 
-double per_extent(double wished, double extent, const std::string& direction) {
+double per_extent(double wished, double extent, Code if_none) {
   if (extent > 0) return wished / extent;
-  throw InputError("no-" + direction, "the model has no " + direction + " that could be scaled");
+  throw InputError(if_none);
 }
 
 }  // namespace
@@ -56,9 +56,9 @@ Vec3 extents(const Mesh& mesh) {
 
 double fixed_scale(const Mesh& mesh, const SizeOptions& size) {
   const Vec3 extent = extents(mesh);
-  if (size.by == Sizing::kHeight) return per_extent(size.value, extent.y(), "height");
-  if (size.by == Sizing::kWidth) return per_extent(size.value, extent.x(), "width");
-  if (size.by == Sizing::kDepth) return per_extent(size.value, extent.z(), "depth");
+  if (size.by == Sizing::kHeight) return per_extent(size.value, extent.y(), "no-height");
+  if (size.by == Sizing::kWidth) return per_extent(size.value, extent.x(), "no-width");
+  if (size.by == Sizing::kDepth) return per_extent(size.value, extent.z(), "no-depth");
   return size.value * millimetres(model_unit(mesh, size.unit).unit);
 }
 

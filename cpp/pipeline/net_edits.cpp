@@ -27,10 +27,8 @@ class NetEditor {
 
   std::optional<PartEdit> operator()(const CutEdit& edit) {
     const int hinge = trees_.hinge_at(edit.edge);
-    if (!trees_.folds_at(hinge)) throw InputError("already-cut", "this edge is cut already");
-    if (graph_.hinges[hinge].stays_fold) {
-      throw InputError("locked", "this edge is locked: it is never cut");
-    }
+    if (!trees_.folds_at(hinge)) throw InputError("already-cut");
+    if (graph_.hinges[hinge].stays_fold) throw InputError("locked", {{"what", "fold"}});
     trees_.cut(trees_.net_at(hinge, 0), hinge);
     return std::nullopt;
   }
@@ -59,8 +57,7 @@ class NetEditor {
 
   std::optional<PartEdit> operator()(const AssignEdit& edit) {
     if (edit.part < 0 || edit.part >= nets_.part_count) {
-      throw InputError("no-part", "there is no part " + std::to_string(edit.part + 1) +
-                                      ": the model has " + std::to_string(nets_.part_count));
+      throw InputError("no-part", {{"part", edit.part + 1}, {"parts", nets_.part_count}});
     }
     std::vector<int> labels = nets_.labels;
     std::set<int> donors;
@@ -71,13 +68,11 @@ class NetEditor {
       }
     }
     check_locks(labels);
-    check_connected(labels, edit.part, "not-touching", "the faces do not touch that part");
+    check_connected(labels, edit.part, "not-touching");
     std::optional<PartEdit> emptied;
     for (const int donor : donors) {
       if (std::ranges::count(labels, donor) > 0) {
-        check_connected(
-            labels, donor, "would-fall-apart",
-            "without these faces part " + std::to_string(donor + 1) + " would fall apart");
+        check_connected(labels, donor, "would-fall-apart");
       } else if (!emptied) {
         emptied = {{edit.part, donor}, 1};
       } else {
@@ -120,8 +115,7 @@ class NetEditor {
       if (nets_.labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
     if (is_connected(restrict_to(without, panels))) return;
-    throw InputError("would-fall-apart",
-                     "without this fold part " + std::to_string(part + 1) + " would fall apart");
+    throw InputError("would-fall-apart", {{"what", "fold"}, {"part", part + 1}});
   }
 
   /// Folds that are never to be cut lie within parts.
@@ -130,7 +124,7 @@ class NetEditor {
       const int a = graph_.panel_faces(hinge.panels[0])[0];
       const int b = graph_.panel_faces(hinge.panels[1])[0];
       if (!hinge.stays_fold || labels[a] == labels[b]) continue;
-      throw InputError("locked", "a locked fold holds the faces where they are", {a, b});
+      throw InputError("locked", {{"what", "faces"}}, {a, b});
     }
   }
 
@@ -147,7 +141,7 @@ class NetEditor {
     const int emptied = nets_.nets[j].part;
     const std::vector<int> faces = trees_.replace(i, tree);
     if (!faces.empty() && !search) {
-      throw InputError("overlap", "the two pieces would overlap there", faces);
+      throw InputError("overlap", {{"what", "pieces"}}, faces);
     }
     if (!faces.empty()) nets_.nets[i].faces.clear();
     nets_.nets[j].faces.clear();
@@ -175,19 +169,19 @@ class NetEditor {
   void reopen(std::size_t i, int hinge, const std::optional<EdgeName>& open) {
     const Tree tree = trees_.tree_of(i);
     if (std::ranges::count(tree.hinges, hinge) > 0) {
-      throw InputError("already-joined", "this edge is a fold already");
+      throw InputError("already-joined");
     }
     std::vector<int> loop = trees_.loop_of(tree, hinge);
     if (open) {
       const int wanted = trees_.hinge_at(*open);
       if (std::ranges::count(loop, wanted) == 0) {
-        throw InputError("not-in-loop", "cutting there would not open the loop");
+        throw InputError("not-in-loop");
       }
       loop = {wanted};
     }
     std::erase_if(loop, [&](int h) { return graph_.hinges[h].stays_fold; });
     if (loop.empty()) {
-      throw InputError("locked", "the loop cannot be opened elsewhere: its folds are locked");
+      throw InputError("locked", {{"what", "loop"}});
     }
     // Least to glue first.
     std::ranges::sort(loop, {}, [&](int h) { return std::pair(graph_.hinges[h].length, h); });
@@ -197,16 +191,15 @@ class NetEditor {
       if (faces.empty()) return;
       if (in_the_way.empty() || faces.size() < in_the_way.size()) in_the_way = std::move(faces);
     }
-    throw InputError("overlap", "faces of the piece would overlap, wherever it is opened instead",
-                     in_the_way);
+    throw InputError("overlap", {{"what", "loop"}}, in_the_way);
   }
 
   std::vector<int> panels_with(std::span<const int> faces) const {
     const std::set<int> wanted(faces.begin(), faces.end());
-    if (wanted.empty()) throw InputError("no-face", "no face was named");
+    if (wanted.empty()) throw InputError("no-face", {{"what", "none"}});
     const int count = static_cast<int>(nets_.labels.size());
     if (*wanted.begin() < 0 || *wanted.rbegin() >= count) {
-      throw InputError("no-face", "the model has faces from 0 to " + std::to_string(count - 1));
+      throw InputError("no-face", {{"what", "beyond"}, {"most", count - 1}});
     }
     std::vector<int> panels;
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
@@ -218,13 +211,13 @@ class NetEditor {
     return panels;
   }
 
-  void check_connected(const std::vector<int>& labels, int part, const char* code,
-                       const std::string& sentence) const {
+  void check_connected(const std::vector<int>& labels, int part, Code if_not) const {
     std::vector<int> panels;
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
       if (labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
-    if (!is_connected(restrict_to(graph_, panels))) throw InputError(code, sentence);
+    if (!is_connected(restrict_to(graph_, panels)))
+      throw InputError(if_not, {{"what", "faces"}, {"part", part + 1}});
   }
 
   /// Gives parts their numbers after a merge, and returns that of what is merged.

@@ -65,8 +65,7 @@ int edge_at(const Mesh& mesh, const EdgeName& name) {
   };
   const auto found = std::ranges::find_if(mesh.edges, is_it);
   if (found == mesh.edges.end()) {
-    throw InputError("no-edge", "the model has no edge between corners " +
-                                    std::to_string(name.from) + " and " + std::to_string(name.to));
+    throw InputError("no-edge", {{"from", name.from}, {"to", name.to}});
   }
   return static_cast<int>(found - mesh.edges.begin());
 }
@@ -135,7 +134,7 @@ bool is_same_edge(const EdgeName& a, const EdgeName& b) {
 int NetTrees::hinge_at(const EdgeName& name) const {
   const int edge = edge_at(surface_.mesh, name);
   if (surface_.mesh.edges[edge].faces[1] == -1) {
-    throw InputError("open-border", "only one face has this edge: there is nothing to join there");
+    throw InputError("open-border", {{"what", "edge"}});
   }
   const auto found = std::ranges::find_if(graph_.hinges, [&](const Hinge& hinge) {
     return std::ranges::binary_search(hinge.edges, edge);
@@ -145,9 +144,9 @@ int NetTrees::hinge_at(const EdgeName& name) const {
     return !lock.is_fold && is_same_edge({lock.vertices[0], lock.vertices[1]}, name);
   };
   if (std::ranges::any_of(surface_.locks, is_locked)) {
-    throw InputError("locked", "this edge is locked: it is always cut");
+    throw InputError("locked", {{"what", "cut"}});
   }
-  throw InputError("inside-panel", "this edge lies within a flat face, which stays whole");
+  throw InputError("inside-panel");
 }
 
 std::size_t NetTrees::net_at(int hinge, int side) const {
@@ -155,7 +154,7 @@ std::size_t NetTrees::net_at(int hinge, int side) const {
   const auto found = std::ranges::find_if(
       nets_.nets, [&](const SavedNet& net) { return std::ranges::binary_search(net.faces, face); });
   if (found == nets_.nets.end()) {
-    throw InputError("no-net", "a face beside this edge has no net yet", {face});
+    throw InputError("no-net", Parameters{}, {face});
   }
   return static_cast<std::size_t>(found - nets_.nets.begin());
 }

@@ -116,7 +116,7 @@ void PaperPlanner::search() {
                                                   static_cast<int>(state_.options.size.value);
   if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {
     if (step == FitStep::kDoesNotFit) throw drafter_->misfit();
-    throw InputError("too-few-sheets", "the pieces do not go on so few sheets at any size");
+    throw InputError("too-few-sheets");
   }
   ++range_.trials;
   if (range_.low > 0) progress_ = 0.5 * range_.trials / kSheetTrials;

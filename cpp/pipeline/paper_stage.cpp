@@ -85,28 +85,23 @@ Piece make_piece(const JobState& state, const Mesh& mesh, double scale, const Fo
 const char* unit_name(Unit unit) {
   switch (unit) {
     case Unit::kCentimetre:
-      return "centimetres";
+      return "cm";
     case Unit::kMetre:
-      return "metres";
+      return "m";
     case Unit::kInch:
-      return "inches";
+      return "in";
     default:
-      return "millimetres";
+      return "mm";
   }
 }
 
 /// Where pieces hang together by little. Whoever knows may strengthen them with tape.
 void add_neck_notice(JobState& state) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Piece& piece : state.result->pieces) {
-    if (piece.necks.empty()) continue;
-    names += (names.empty() ? "" : ", ") + piece.name;
+    if (!piece.necks.empty()) names.push_back(piece.name);
   }
-  if (names.empty()) return;
-  state.notices.push_back({"weak-necks",
-                           "folds under 5 mm hold many faces on both sides and may tear: "
-                           "strengthen them with tape on the back; pieces " +
-                               names});
+  if (!names.empty()) state.notices.push_back({"weak-necks", {{"pieces", names}}});
 }
 
 /// What a person should know about the size: a unit that was guessed, parts that were cut again.
@@ -114,17 +109,14 @@ void add_size_notices(JobState& state) {
   const SizeOptions& size = state.options.size;
   const ModelUnit unit = model_unit(state.surface->mesh, size.unit);
   if (size.by == Sizing::kScale && unit.guessed) {
-    state.notices.push_back({"unit-guessed", std::string("the model's unit is not known; ") +
-                                                 unit_name(unit.unit) + " were assumed"});
+    state.notices.push_back({"unit-guessed", {{"unit", unit_name(unit.unit)}}});
   }
   std::map<int, int> recut;  // pieces of each part that was too large
   for (const Piece& piece : state.result->pieces) {
     if (piece.cause == Cause::kSheet) ++recut[piece.part];
   }
   for (const auto& [part, count] : recut) {
-    state.notices.push_back({"sheet-split", "part " + std::to_string(part + 1) +
-                                                " is too large for the sheet and was cut into " +
-                                                std::to_string(count) + " pieces"});
+    state.notices.push_back({"sheet-split", {{"part", part + 1}, {"pieces", count}}});
   }
 }
 
@@ -133,17 +125,11 @@ void add_joint_notice(JobState& state) {
   const std::size_t count = state.surface->mesh.joints.size();
   if (count == 0) return;
   const bool has_ids = state.options.ids != IdPlace::kNone;
-  state.notices.push_back(
-      {"joints", std::to_string(count) + (count == 1 ? " edge is" : " edges are") +
-                     " glued to faces that " + (count == 1 ? "it does" : "they do") +
-                     " not continue" + (has_ids ? ": look for the same number there" : "")});
+  state.notices.push_back({"joints", {{"what", has_ids ? "numbered" : "bare"}, {"count", count}}});
 }
 
 void add_pin_notice(JobState& state, int lost) {
-  if (lost == 0) return;
-  state.notices.push_back(
-      {"pin-lost", std::to_string(lost) + " pinned " + (lost == 1 ? "piece is" : "pieces are") +
-                       " no longer there as they were, and were laid out anew"});
+  if (lost > 0) state.notices.push_back({"pin-lost", {{"count", lost}}});
 }
 
 /// Makes pieces of the nets, checks them by other means, and lays them on sheets.

@@ -48,15 +48,15 @@ std::string fault_of_name(const std::string& name) {
   bool only_digits = true;
   for (const char byte : name) {
     const auto code = static_cast<unsigned char>(byte);
-    if (code < 0x20 || code == 0x7f) return "must not hold control characters";
-    if (byte == ':') return "must not hold a colon, which stands before the number of an edge";
+    if (code < 0x20 || code == 0x7f) return "name-control";
+    if (byte == ':') return "name-colon";
     if (code < 0x80 || code >= 0xc0) ++characters;
     only_digits = only_digits && byte >= '0' && byte <= '9';
   }
   if (characters == 0 || characters > kLongest || name.front() == ' ' || name.back() == ' ') {
-    return "must have 1 to 16 characters, and no space around them";
+    return "name-length";
   }
-  if (only_digits) return "must not be a number: numbers name edges";
+  if (only_digits) return "name-number";
   return "";
 }
 

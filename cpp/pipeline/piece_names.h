@@ -19,8 +19,8 @@ struct PartName {
 /// that no piece has. `parts`: per piece.
 std::vector<std::string> piece_names(std::span<const int> parts, std::span<const PartName> chosen);
 
-/// What is wrong with a name, to be read after "the name of a part"; empty when nothing is: it must
-/// be told from the numbers of edges, and fit on paper.
+/// What is wrong with a name, as a word for messages; empty when nothing is: it must be told from
+/// the numbers of edges, and fit on paper.
 std::string fault_of_name(const std::string& name);
 
 }  // namespace foldwright

@@ -8,7 +8,6 @@
 #include "mesh/read_model.h"
 #include "mesh/simplify.h"
 #include "mesh/turn_up.h"
-#include "pipeline/counted.h"
 #include "pipeline/edits.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/recut_nets.h"
@@ -34,11 +33,8 @@ Axis up_of(const PolygonSoup& soup, Up asked) {
 /// Tells what of the file's looks is not printed.
 void tell_looks(const PolygonSoup& soup, JobState& state) {
   if (!soup.has_colours && !soup.has_textures) return;
-  const std::string looks = !soup.has_textures  ? "colours"
-                            : !soup.has_colours ? "textures"
-                                                : "colours and textures";
-  state.notices.push_back(
-      {"materials-ignored", "the model's " + looks + " are not printed: its paper is white"});
+  const char* looks = !soup.has_textures ? "colours" : !soup.has_colours ? "textures" : "both";
+  state.notices.push_back({"materials-ignored", {{"what", looks}}});
 }
 
 /// The file's model with y up. A guess is told where the model was turned for it.
@@ -48,9 +44,7 @@ PolygonSoup read_upright(JobState& state) {
   const Axis up = up_of(soup, state.options.up);
   turn_up(soup.positions, up);
   if (state.options.up == Up::kGuess && up != Axis::kY) {
-    state.notices.push_back({"up-guessed",
-                             "the file does not say which way is up; the z axis was taken, as in "
-                             "most files of this format"});
+    state.notices.push_back({"up-guessed"});
   }
   return soup;
 }
@@ -65,14 +59,10 @@ Mesh simplified(JobState& state) {
   state.face_standins = nearest_faces(mesh, simple);
   simple.joints = find_joints(simple);
   if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
-    state.notices.push_back({"joints-lost", counted(lost, "edge") +
-                                                " that stood on other faces came loose when the "
-                                                "model was simplified: glue by sight"});
+    state.notices.push_back({"joints-lost", {{"count", lost}}});
   }
   if (simple.face_count() > wanted) {
-    state.notices.push_back({"faces-above-wish", "simplifying stopped at " +
-                                                     std::to_string(simple.face_count()) +
-                                                     " faces: fewer would break the surface"});
+    state.notices.push_back({"faces-above-wish", {{"faces", simple.face_count()}}});
   }
   return simple;
 }
@@ -119,11 +109,9 @@ void decide_parts(JobState& state) {
   const int least = static_cast<int>(state.components.size());
   const int most = state.surface->graph.panel_count();
   if (wanted < least) {
-    state.notices.push_back({"parts-raised", "the model has " + counted(least, "separate body") +
-                                                 ", so it needs at least as many parts"});
+    state.notices.push_back({"parts-raised", {{"what", "bodies"}, {"bodies", least}}});
   } else if (wanted > most) {
-    state.notices.push_back({"parts-lowered", "the model has only " + counted(most, "flat panel") +
-                                                  ", so it cannot have more parts"});
+    state.notices.push_back({"parts-lowered", {{"panels", most}}});
   }
   share_parts(state.components, std::clamp(wanted, least, most));
 }
@@ -140,14 +128,9 @@ void foresee_cost(JobState& state, Events& events) {
   constexpr int kProposedFaces = 3000;
   const double seconds = foreseen_seconds(state.surface->graph.panel_count());
   if (seconds < kWorthTelling || state.options.faces > 0) return;
-  const std::string time = seconds < 90 ? std::to_string(std::lround(seconds / 5) * 5) + " seconds"
-                                        : std::to_string(std::lround(seconds / 60)) + " minutes";
-  const std::string faces = std::to_string(kProposedFaces);
-  const Notice notice{"large-model",
-                      "the model has " + std::to_string(state.surface->mesh.face_count()) +
-                          " faces: nets for them take about " + time +
-                          ", and most of them will be too small to fold; simplified to " + faces +
-                          " faces (--faces " + faces + ") it takes seconds"};
+  const Notice notice("large-model", {{"faces", state.surface->mesh.face_count()},
+                                      {"seconds", seconds},
+                                      {"proposed", kProposedFaces}});
   state.notices.push_back(notice);
   events.push_back(notice);
 }
@@ -172,9 +155,7 @@ class ReadStage : public Stage {
     state.file.shrink_to_fit();
     state.model = repair(soup);
     // At once, for what comes may take long, or fail.
-    for (const auto& [code, count, text] : state.model.repairs) {
-      events.push_back(Notice{code, text});
-    }
+    for (const Repair& repair : state.model.repairs) events.push_back(message_of(repair));
     state.surface = make_surface(kModelSurface, simplified(state), locks_in_force(state));
     events.push_back(ModelEvent{state.surface});
     check_panels_fit(state);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "geometry/union_find.h"
@@ -67,23 +66,16 @@ CuttablePlates plates_of(const DualGraph& graph, const FoundNet& found, const Ne
 
 /// Says by how much a face that cannot be cut is too large for the sheet.
 InputError too_large(const JobState& state, const Net& net) {
-  double longest = 0;
-  for (const NetEdge& edge : net.edges) {
-    // Diagonals within the face are ours, and tell a person nothing.
-    if (edge.assignment != Assignment::kCut) continue;
-    const auto& [a, b] = edge.vertices;
-    longest = std::max(longest, (net.vertices[a] - net.vertices[b]).norm());
-  }
   const Footprint print = footprint_of(net);
+  // As a person would measure it with a ruler: the smallest box around it.
+  const auto area = [](const Turn& turn) { return turn.box.width * turn.box.height; };
+  const Extent box = std::ranges::min(upright_turns(convex_hull(print.points())), {}, area).box;
   const double share = fitting_scale(std::span(&print, 1), state.options.sheet);
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "at this size a flat face with an edge of %.0f mm is larger than a sheet of %g x %g "
-      "mm: it would fit at %.0f %% of the size, or on paper %.1f times as large",
-      longest, state.options.sheet.width, state.options.sheet.height, std::floor(100 * share),
-      std::ceil(10 / share) / 10);
-  return InputError(kFaceTooLarge, text);
+  return InputError(kFaceTooLarge, {{"face_width_mm", std::max(box.width, box.height)},
+                                    {"face_height_mm", std::min(box.width, box.height)},
+                                    {"width_mm", state.options.sheet.width},
+                                    {"height_mm", state.options.sheet.height},
+                                    {"share", share}});
 }
 
 /// The nets' outlines and area in model units.

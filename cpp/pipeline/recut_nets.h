@@ -6,7 +6,7 @@
 namespace foldwright {
 
 /// Code of the error for a single face that fits no sheet.
-inline constexpr const char* kFaceTooLarge = "face-too-large";
+inline constexpr Code kFaceTooLarge = "face-too-large";
 
 /// Looks at the size asked for before anything is searched: a flat face cannot be cut again.
 /// \throw InputError `kFaceTooLarge` if one does not fit the sheet, or "bad-margin"

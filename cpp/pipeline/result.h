@@ -16,10 +16,7 @@
 namespace foldwright {
 
 /// Something a person should know about the result.
-struct Notice {
-  std::string code;  ///< stable kebab-case word
-  std::string text;  ///< one sentence
-};
+using Notice = Message;
 
 /// Why a piece exists: it is a whole part, or a share of a part that has no net, or none that
 /// folds, or none that fits the sheet, or one that a person cut.

@@ -56,9 +56,7 @@ void check_motion(const FoldMotion& motion, std::size_t folds) {
 
 }  // namespace
 
-InputError foreign_start() {
-  return InputError("bad-start", "the earlier result does not belong to this model");
-}
+InputError foreign_start() { return InputError("bad-start"); }
 
 SavedNet save_net(const Component& component, const FoundNet& net) {
   const DualGraph graph = restrict_to(component.graph, net.region.panels);

@@ -29,21 +29,17 @@ void add_search_notices(JobState& state) {
     if (!is_told) outcome.cause = net.region.cause;
   }
   for (const auto& [part, outcome] : outcomes) {
-    const std::string name = "part " + std::to_string(part + 1);
     if (outcome.pieces > 1) {
-      const std::string lack =
-          outcome.cause == Cause::kNoMotion ? " does not fold up" : " has no net";
-      state.notices.push_back({"part-split", name + lack + " in one piece and became " +
-                                                 std::to_string(outcome.pieces) + " pieces"});
+      state.notices.push_back(
+          {"part-split",
+           {{"what", outcome.cause == Cause::kNoMotion ? "no-motion" : "no-net"},
+            {"part", part + 1},
+            {"pieces", outcome.pieces}}});
     }
     if (outcome.meets_itself) {
-      state.notices.push_back(
-          {"meets-itself", name + " has faces that run through each other in "
-                                  "the model, so no folding of it is free of collisions"});
+      state.notices.push_back({"meets-itself", {{"part", part + 1}}});
     } else if (outcome.without_motion > 0) {
-      state.notices.push_back(
-          {"no-motion", "no way was found to fold up " + name +
-                            " in one go without faces running into each other"});
+      state.notices.push_back({"no-motion", {{"part", part + 1}}});
     }
   }
 }

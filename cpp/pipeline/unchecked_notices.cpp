@@ -15,21 +15,18 @@ Why why_unchecked(const JobState& state, const Region& region) {
   return region.too_large ? Why::kHuge : Why::kLarge;
 }
 
-std::string sentence(Why why, const std::string& pieces) {
-  const std::string unasked = "no way to fold up " + pieces + " was looked for: ";
+const char* word_for(Why why) {
   switch (why) {
     case Why::kOff:
-      return unasked + "folding is switched off";
+      return "off";
     case Why::kCancelled:
-      return unasked + "the run was cancelled before";
+      return "cancelled";
     case Why::kKept:
-      return unasked + "the earlier result, which is kept, had none";
+      return "kept";
     case Why::kHuge:
-      return unasked + "so many faces take too long; more parts, or fewer faces, would help";
+      return "huge";
     case Why::kLarge:
-      return "turning all folds evenly does not fold up " + pieces +
-             ", and with so many faces no other way was looked for; more parts, or fewer faces, "
-             "would help";
+      return "large";
   }
   return "";
 }
@@ -44,9 +41,7 @@ void add_unchecked_notices(JobState& state, std::span<const FoundNet> nets) {
     names[why_unchecked(state, nets[i].region)].push_back(piece.name);
   }
   for (const auto& [why, of] : names) {
-    std::string pieces = of.size() == 1 ? "piece " : "pieces ";
-    for (std::size_t i = 0; i < of.size(); ++i) pieces += (i == 0 ? "" : ", ") + of[i];
-    state.notices.push_back({"unchecked-pieces", sentence(why, pieces)});
+    state.notices.push_back({"unchecked-pieces", {{"what", word_for(why)}, {"pieces", of}}});
   }
 }
 

@@ -45,8 +45,7 @@ TEST(JobFolding, LooksAtNoMotionWhenFoldingIsOff) {
   const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kOff});
   expect_sound(outcome);
   EXPECT_EQ(outcome.notices(), std::multiset<std::string>{"unchecked-pieces"});
-  EXPECT_EQ(outcome.result->notices[0].text,
-            "no way to fold up piece A was looked for: folding is switched off");
+  EXPECT_EQ(describe(outcome.result->notices[0]), "unchecked-pieces what=off pieces=A");
   for (const Piece& piece : outcome.result->pieces) {
     EXPECT_EQ(piece.motion.kind, Folding::kUnchecked);
     EXPECT_TRUE(piece.motion.times.empty());

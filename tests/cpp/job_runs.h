@@ -79,7 +79,7 @@ inline Outcome run(const Mesh& mesh, const JobOptions& options = {}, std::int64_
 
 inline void expect_sound(const Outcome& outcome) {
   if (outcome.result == nullptr) {
-    FAIL() << outcome.all<ErrorEvent>().at(0).text;
+    FAIL() << describe(outcome.all<ErrorEvent>().at(0).message);
   }
   EXPECT_EQ(fault_of(*outcome.result), "");
 }

@@ -165,7 +165,7 @@ TEST(JobSize, SaysWhatUnitItGuessed) {
 TEST(JobSize, RefusesFacesLargerThanASheet) {
   const Outcome outcome = run(cube(), sized(Sizing::kHeight, 500, 1));
   ASSERT_EQ(outcome.all<ErrorEvent>().size(), 1u);
-  EXPECT_EQ(outcome.all<ErrorEvent>()[0].code, "face-too-large");
+  EXPECT_EQ(outcome.all<ErrorEvent>()[0].message.code, "face-too-large");
   // No search helps, so that none is waited for.
   EXPECT_TRUE(outcome.all<LearnedEvent>().empty());
 }

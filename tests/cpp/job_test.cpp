@@ -96,9 +96,10 @@ TEST(Job, MakesANetOfAMoebiusStrip) {
   expect_sound(outcome);
   EXPECT_FALSE(outcome.result->repairs.empty());
   std::vector<std::string> told;
-  for (const Notice& notice : outcome.all<Notice>()) told.push_back(notice.text);
+  for (const Notice& notice : outcome.all<Notice>()) told.push_back(describe(notice));
   for (const Repair& repair : outcome.result->repairs) {
-    EXPECT_EQ(std::ranges::count(told, repair.text), 1) << repair.text;
+    const std::string message = describe(message_of(repair));
+    EXPECT_EQ(std::ranges::count(told, message), 1) << message;
   }
   EXPECT_EQ(outcome.result->segmentation, std::vector<int>(9, 0));
 }
@@ -222,8 +223,7 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
     EXPECT_EQ(outcome.result, nullptr);
     const auto errors = outcome.all<ErrorEvent>();
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_NE(errors[0].text, "");
-    EXPECT_EQ(errors[0].code, c.code);
+    EXPECT_EQ(errors[0].message.code, c.code);
   }
 }
 
@@ -330,18 +330,17 @@ TEST(Job, SaysThatColoursAndTexturesAreNotPrinted) {
   const std::string model = obj_of(tetrahedron());
   const std::pair<std::string, std::multiset<std::string>> cases[] = {
       {"", {}},
-      {"usemtl red\n", {"the model's colours are not printed: its paper is white"}},
-      {"vt 0 0\nf 1/1 2/1 3/1\n", {"the model's textures are not printed: its paper is white"}},
-      {"vt 0 0\nusemtl red\nf 1/1 2/1 3/1\n",
-       {"the model's colours and textures are not printed: its paper is white"}}};
-  for (const auto& [more, sentences] : cases) {
+      {"usemtl red\n", {"materials-ignored what=colours"}},
+      {"vt 0 0\nf 1/1 2/1 3/1\n", {"materials-ignored what=textures"}},
+      {"vt 0 0\nusemtl red\nf 1/1 2/1 3/1\n", {"materials-ignored what=both"}}};
+  for (const auto& [more, messages] : cases) {
     const Outcome outcome = run_file(model + more, "model.obj", {.parts = 1, .runs = 10});
     expect_sound(outcome);
     std::multiset<std::string> told;
     for (const Notice& notice : outcome.result->notices) {
-      if (notice.code == "materials-ignored") told.insert(notice.text);
+      if (notice.code == "materials-ignored") told.insert(describe(notice));
     }
-    EXPECT_EQ(told, sentences);
+    EXPECT_EQ(told, messages);
   }
 }
 

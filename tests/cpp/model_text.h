@@ -16,7 +16,7 @@ inline PolygonSoup read_text(std::string_view text, std::string_view file_name) 
   return read_model(std::as_bytes(std::span(text.data(), text.size())), file_name);
 }
 
-/// The message with which a model is refused; empty when it is not.
+/// The message, for developers, with which a model is refused; empty when it is not.
 inline std::string refusal(std::string_view text, std::string_view file_name) {
   try {
     read_text(text, file_name);

@@ -73,7 +73,7 @@ std::array<Vec2, 3> place_of(const JobResult& result, int face) {
 
 std::string code_of(const Outcome& outcome) {
   const auto errors = outcome.all<ErrorEvent>();
-  return errors.size() == 1 ? errors[0].code : "";
+  return errors.size() == 1 ? errors[0].message.code : "";
 }
 
 /// A result to edit, over a model with room on its sheet.
@@ -331,7 +331,7 @@ TEST(NetEdits, NameTheFacesInTheWay) {
     const JoinEdit join{name_of(before.result->mesh, static_cast<int>(e))};
     const Outcome after = run_from(mesh, start_of(*before.result, {join}), options);
     const auto errors = after.all<ErrorEvent>();
-    if (errors.empty() || errors[0].code != "overlap") continue;
+    if (errors.empty() || errors[0].message.code != "overlap") continue;
     ++refused;
     EXPECT_GE(errors[0].faces.size(), 2u);
     EXPECT_TRUE(std::ranges::is_sorted(errors[0].faces));

@@ -9,13 +9,14 @@
 namespace foldwright::testing {
 namespace {
 
-/// The sentence with which options are refused; empty when they are not.
+/// The option for which options are refused; empty when they are not.
 std::string refusal(const JobOptions& options) {
   try {
     check_options(options);
   } catch (const InputError& error) {
     EXPECT_EQ(error.code(), "bad-option");
-    return error.what();
+    EXPECT_EQ(error.parameters().at(0).name, "what");
+    return std::get<std::string>(error.parameters()[0].value);
   }
   return "";
 }
@@ -66,7 +67,7 @@ TEST(CheckOptions, NamesABadOption) {
       {with_size(Sizing::kSheets, 1.5), "sheets"},
   };
   for (const auto& [options, name] : cases) {
-    EXPECT_EQ(refusal(options).find(name), 0u) << refusal(options);
+    EXPECT_EQ(refusal(options), name);
   }
 }
 

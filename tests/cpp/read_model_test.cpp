@@ -18,14 +18,11 @@ TEST(ReadModel, GoesByTheEndingInAnyCase) {
 }
 
 TEST(ReadModel, NamesTheFormatsThatAreRead) {
-  EXPECT_EQ(refusal("no model", "a.xyz"),
-            "files that end in '.xyz' are not read; OBJ, STL, OFF and PLY are");
-  EXPECT_EQ(refusal("no model", "triangle"),
-            "neither the file's contents nor an ending of its name tell its format; OBJ, STL, OFF "
-            "and PLY are");
+  EXPECT_EQ(refusal("no model", "a.xyz"), "unknown-format what=ending ending=xyz");
+  EXPECT_EQ(refusal("no model", "triangle"), "unknown-format what=nothing");
 }
 
-TEST(ReadModel, RefusesAnEmptyFile) { EXPECT_EQ(refusal("", "a.obj"), "the file is empty"); }
+TEST(ReadModel, RefusesAnEmptyFile) { EXPECT_EQ(refusal("", "a.obj"), "empty-file"); }
 
 /// A literal with the NULs in it.
 template <std::size_t kSize>
@@ -68,8 +65,8 @@ TEST(ReadModel, GoesByTheContentsAndReportsAnotherEnding) {
     }
     EXPECT_EQ(read_text(sample, "no_ending").repairs.size(), 0u) << name;
   }
-  EXPECT_EQ(repair_named(read_text(kTriangle, "a.STL").repairs, "other-format").text,
-            "the file is named .stl, but holds OBJ");
+  const Repair repair = repair_named(read_text(kTriangle, "a.STL").repairs, "other-format");
+  EXPECT_EQ(repair.parameters, (Parameters{{"ending", "stl"}, {"format", "OBJ"}}));
 }
 
 TEST(ReadModel, TakesNoOtherPartOfANameForAnEnding) {
@@ -80,24 +77,24 @@ TEST(ReadModel, TakesNoOtherPartOfANameForAnEnding) {
 
 TEST(ReadModel, NamesCommonFormatsThatAreNotRead) {
   const std::pair<std::string, const char*> cases[] = {
-      {whole("glTF\2\0\0\0"), "a GLB (binary glTF) model"},
-      {"{\"asset\": {\"version\": \"2.0\"}}", "a glTF model"},
-      {"PK\3\4 3D/3dmodel.model", "a 3MF model"},
-      {"PK\3\4 model.obj", "a ZIP archive"},
-      {"%PDF-1.7", "a PDF document"},
-      {"\x89PNG\r\n", "a PNG picture"},
-      {whole("Kaydara FBX Binary  \0"), "an FBX model"},
-      {whole("MM\x0A\0\0\0\2\0\0\0"), "a 3DS model"},
-      {"\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<COLLADA>", "a COLLADA (DAE) model"},
-      {"<?xml version=\"1.0\"?>\n<a/>", "an XML document"},
-      {"<!DOCTYPE html>\n<html>", "a web page"},
-      {"ISO-10303-21;", "a STEP model"},
-      {"BLENDER-v279", "a Blender project"},
+      {whole("glTF\2\0\0\0"), "glb"},
+      {"{\"asset\": {\"version\": \"2.0\"}}", "gltf"},
+      {"PK\3\4 3D/3dmodel.model", "3mf"},
+      {"PK\3\4 model.obj", "zip"},
+      {"%PDF-1.7", "pdf"},
+      {"\x89PNG\r\n", "png"},
+      {whole("Kaydara FBX Binary  \0"), "fbx"},
+      {whole("MM\x0A\0\0\0\2\0\0\0"), "3ds"},
+      {"\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<COLLADA>", "dae"},
+      {"<?xml version=\"1.0\"?>\n<a/>", "xml"},
+      {"<!DOCTYPE html>\n<html>", "html"},
+      {"ISO-10303-21;", "step"},
+      {"BLENDER-v279", "blend"},
   };
   for (const auto& [contents, name] : cases) {
     for (const char* file_name : {"a.obj", "a.stl", "a.bin"}) {
-      EXPECT_EQ(refusal(contents, file_name), "the file is " + std::string(name) +
-                                                  ", which is not read; OBJ, STL, OFF and PLY are");
+      EXPECT_EQ(refusal(contents, file_name),
+                "unknown-format what=contents format=" + std::string(name));
     }
   }
 }
@@ -140,9 +137,8 @@ TEST(ReadModel, RefusesNulInTextAndNamesTheLine) {
     };
     const std::string damaged = with_nul(sample);
     const auto before = damaged.begin() + static_cast<long>(damaged.find('\0'));
-    const std::string expected = "line " +
-                                 std::to_string(1 + std::count(damaged.begin(), before, '\n')) +
-                                 ": a NUL byte stands in the text; the file is damaged";
+    const std::string expected =
+        "bad-text place=line at=" + std::to_string(1 + std::count(damaged.begin(), before, '\n'));
     EXPECT_EQ(refusal(damaged, name), expected) << name;
     EXPECT_EQ(refusal(encoded_ascii(damaged, TextEncoding::kUtf16Le), name), expected) << name;
   }
@@ -152,7 +148,7 @@ TEST(ReadModel, RefusesControlCharactersInNumbers) {
   EXPECT_EQ(refusal("v 0 0 0\nv 2\x01"
                     "0 0 0\nv 0 1 0\nf 1 2 3\n",
                     "a.obj"),
-            "line 2: '2?0' stands where a number is expected");
+            "bad-number place=line at=2 what=number word=2?0");
   EXPECT_EQ(refusal(kTriangle + "\x1A", "a.obj"), "");  // as DOS ended its texts
 }
 

@@ -62,25 +62,22 @@ TEST(ReadObj, KeepsFacesThatAreTooShortForTheReport) {
 
 TEST(ReadObj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal(kSquare + "f 1 2 99\n", "a.obj"),
-            "line 5: face refers to vertex 99, but the file has 4 vertices");
+            "bad-index place=line at=5 what=beyond index=99 vertices=4 first=1");
   EXPECT_EQ(refusal(kSquare + "f 0 1 2\n", "a.obj"),
-            "line 5: face refers to vertex 0, but the file has 4 vertices");
+            "bad-index place=line at=5 what=beyond index=0 vertices=4 first=1");
   EXPECT_EQ(refusal(kSquare + "\nf -1 -2 -5\n", "a.obj"),
-            "line 6: face refers to vertex -5, but only 4 vertices come before it");
-  EXPECT_EQ(refusal("v 0 0 nan\nf 1 1 1\n", "a.obj"),
-            "line 1: a coordinate is not a finite number");
+            "bad-index place=line at=6 what=before index=-5 vertices=4");
+  EXPECT_EQ(refusal("v 0 0 nan\nf 1 1 1\n", "a.obj"), "not-finite place=line at=1 what=coordinate");
   EXPECT_EQ(refusal("v 0 0 0\nv 1,5 0 0\n", "a.obj"),
-            "line 2: '1,5' has a comma; numbers need a decimal point");
-  EXPECT_EQ(refusal("v 0 0 0\nv 1 2\n", "a.obj"), "line 2: vertex has fewer than 3 coordinates");
+            "bad-number place=line at=2 what=comma word=1,5");
+  EXPECT_EQ(refusal("v 0 0 0\nv 1 2\n", "a.obj"), "truncated place=line at=2 what=coordinates");
   EXPECT_EQ(refusal(kSquare + "f 1 2 x\n", "a.obj"),
-            "line 5: 'x' stands where a whole number is expected");
-  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2", "a.obj"),
-            "line 6: the file ends in the middle of a face");
+            "bad-number place=line at=5 what=whole word=x");
+  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2", "a.obj"), "truncated place=line at=6 what=face");
 }
 
 TEST(ReadObj, RefusesPointsAndLinesAlone) {
-  EXPECT_EQ(refusal(kSquare + "p 1\nl 1 2\n", "a.obj"),
-            "the file has vertices but no faces; points and lines alone cannot be unfolded");
+  EXPECT_EQ(refusal(kSquare + "p 1\nl 1 2\n", "a.obj"), "no-faces what=vertices");
 }
 
 TEST(ReadObj, TellsHowFarCoordinatesWereRounded) {
@@ -96,12 +93,9 @@ TEST(ReadObj, ReportsShapesThatAreNoFaces) {
       "square.obj");
   EXPECT_EQ(soup.face_count(), 1);
   EXPECT_EQ(repair_named(soup.repairs, "ignored-elements").count, 6);
-  EXPECT_EQ(
-      repair_named(soup.repairs, "ignored-elements").text,
-      "ignored, since only faces fold: 1 point element, 2 line elements, 2 free-form curves, 1 "
-      "free-form surface");
-  EXPECT_EQ(refusal(kSquare + "surf 0 1 0 1 1 2 3 4\n", "square.obj"),
-            "the file has free-form surfaces ('surf') but no faces; save it as polygons");
+  EXPECT_EQ(describe(message_of(repair_named(soup.repairs, "ignored-elements"))),
+            "ignored-elements count=6 points=1 lines=2 curves=2 surfaces=1");
+  EXPECT_EQ(refusal(kSquare + "surf 0 1 0 1 1 2 3 4\n", "square.obj"), "no-faces what=surfaces");
 }
 
 TEST(ReadObj, TakesNumbersInEverySpelling) {

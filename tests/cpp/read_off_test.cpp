@@ -39,21 +39,21 @@ TEST(ReadOff, SkipsNormalsAndColours) {
 
 TEST(ReadOff, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("OFF\n999999999 1 0\n0 0 0\n", "a.off"),
-            "line 3: the file ends after 1 of 999999999 vertices");
+            "truncated place=line at=3 what=vertices done=1 announced=999999999");
   EXPECT_EQ(refusal("OFF\n1 999999999 0\n0 0 0\n1 0\n", "a.off"),
-            "line 4: the file ends after 1 of 999999999 faces");
-  EXPECT_EQ(refusal("OFF\n5 2 0\n0 0 0", "a.off"), "line 3: the file ends after 1 of 5 vertices");
+            "truncated place=line at=4 what=faces done=1 announced=999999999");
+  EXPECT_EQ(refusal("OFF\n5 2 0\n0 0 0", "a.off"),
+            "truncated place=line at=3 what=vertices done=1 announced=5");
   EXPECT_EQ(refusal("OFF\n1 1 0\n0 0 0\n999999999 0 0\n", "a.off"),
-            "line 4: the file ends where a number is expected");
+            "truncated place=line at=4 what=number");
   EXPECT_EQ(refusal("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "a.off"),
-            "line 4: face refers to vertex 1, but the file has 1 vertices, counted from 0");
-  EXPECT_EQ(refusal("OFF\n-1 1 0\n", "a.off"), "line 2: the counts must not be negative");
-  EXPECT_EQ(refusal("PLY\n", "a.off"), "line 1: an OFF file begins with OFF, this one with 'PLY'");
-  EXPECT_EQ(refusal("OFF\n", "a.off"), "line 1: the file ends after its header");
-  EXPECT_EQ(refusal("nOFF\n2\n1 1 0\n0 0\n", "a.off"),
-            "the vertices have 2 dimensions; only models with 3 can be unfolded");
+            "bad-index place=line at=4 what=beyond index=1 vertices=1 first=0");
+  EXPECT_EQ(refusal("OFF\n-1 1 0\n", "a.off"), "bad-header place=line at=2 what=counts");
+  EXPECT_EQ(refusal("PLY\n", "a.off"), "bad-header place=line at=1 what=off-magic word=PLY");
+  EXPECT_EQ(refusal("OFF\n", "a.off"), "truncated place=line at=1 what=header-only");
+  EXPECT_EQ(refusal("nOFF\n2\n1 1 0\n0 0\n", "a.off"), "bad-header what=dimensions dimensions=2");
   EXPECT_EQ(refusal("4OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n", "a.off"),
-            "line 3: the fourth coordinate of a vertex must not be 0");
+            "not-finite place=line at=3 what=weight");
 }
 
 TEST(ReadOff, TellsHowFarCoordinatesWereRounded) {
@@ -145,8 +145,8 @@ TEST(ReadOff, TakesBinaryFiles) {
     EXPECT_EQ(soup.precision, std::ldexp(1.0, -24)) << header;
   }
   const std::string cut = binary_off("OFF BINARY\n", 0).substr(0, 11 + 12 + 20);
-  EXPECT_EQ(refusal(cut, "a.off"), "vertex 1: the file ends here, but more is announced");
-  EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "the file ends after its header");
+  EXPECT_EQ(refusal(cut, "a.off"), "truncated place=vertex at=1 what=more");
+  EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "truncated what=header-only");
 }
 
 TEST(ReadOff, TellsOfColoursAndTextures) {

@@ -85,27 +85,26 @@ TEST(ReadPly, AsksNothingOfElementsThatAreEmpty) {
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
       "z\nelement face 0\nend_header\n0 0 0\n";
-  EXPECT_EQ(refusal(header, "a.ply"),
-            "the file has vertices but no faces; points and lines alone cannot be unfolded");
+  EXPECT_EQ(refusal(header, "a.ply"), "no-faces what=vertices");
 }
 
 TEST(ReadPly, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply"),
-            "line 3: the file ends before 'end_header'");
+            "truncated place=line at=3 what=ply-header");
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex -3\n", "a.ply"),
-            "line 3: element 'vertex' needs a count that is not negative");
+            "bad-header place=line at=3 what=element-count element=vertex");
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\n", "a.ply"),
-            "line 4: 'quad' is not a property type");
+            "bad-header place=line at=4 what=property-type word=quad");
   EXPECT_EQ(refusal(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.ply"),
-            "line 13: face refers to vertex 3, but the file has 3 vertices, counted from 0");
+            "bad-index place=line at=13 what=beyond index=3 vertices=3 first=0");
   EXPECT_EQ(refusal(kAsciiHeader + "0 0 0\n1 0 inf\n", "a.ply"),
-            "line 11: a coordinate is not a finite number");
+            "not-finite place=line at=11 what=coordinate");
   const std::string cut = binary_ply(true);
   EXPECT_EQ(refusal(cut.substr(0, cut.size() - 1), "a.ply"),
-            "face 0: the file ends here, but its header announces 1 of element 'face'");
+            "truncated place=face at=0 what=element announced=1 element=face");
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
                     "a.ply"),
-            "element 'vertex' needs one property 'y'");
+            "bad-header what=property element=vertex property=y");
 }
 
 TEST(ReadPly, TellsHowFarCoordinatesWereRounded) {
@@ -133,7 +132,7 @@ TEST(ReadPly, TakesFacesBeforeVerticesAndListsOfAnyName) {
     EXPECT_EQ(corners_of(soup, 1), (Corners{0, 1, 3, 2}));
   }
   EXPECT_EQ(refusal(with_list("face", "float", "texcoord", "3 0 1 2\n"), "a.ply"),
-            "element 'face' needs one property 'vertex_indices' that is a list");
+            "bad-header what=property element=face property=vertex_indices");
 }
 
 TEST(ReadPly, TakesTriangleStrips) {
@@ -151,7 +150,7 @@ TEST(ReadPly, TakesTriangleStrips) {
                 .face_count(),
             2);
   EXPECT_EQ(refusal(with_list("tristrips", "int", "vertex_indices", "3 0 1 9\n"), "a.ply"),
-            "line 13: face refers to vertex 9, but the file has 4 vertices, counted from 0");
+            "bad-index place=line at=13 what=beyond index=9 vertices=4 first=0");
 }
 
 TEST(ReadPly, TellsOfColoursAndTextures) {

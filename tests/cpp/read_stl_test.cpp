@@ -62,13 +62,12 @@ TEST(ReadStl, ReportsTrailingBytes) {
 TEST(ReadStl, RefusesDamagedBinary) {
   const std::string cut = binary_stl(4'000'000'000, 2);
   EXPECT_EQ(refusal(cut.substr(0, cut.size() - 1), "a.stl"),
-            "triangle 2: the file ends here, but its header announces 4000000000 triangles");
+            "truncated place=triangle at=2 what=triangles announced=4000000000");
   EXPECT_EQ(refusal(binary_stl(1, 1, std::numeric_limits<float>::infinity()), "a.stl"),
-            "triangle 1: a coordinate is not a finite number");
-  EXPECT_EQ(refusal(std::string("sho\0t", 5), "a.stl"),
-            "the file has 5 bytes, too few for the header of a binary STL");
-  EXPECT_EQ(refusal("some text\n", "a.stl"), "line 1: 'some' stands where 'facet' is expected");
-  EXPECT_EQ(refusal(binary_stl(0, 0), "a.stl"), "the file has neither vertices nor faces");
+            "not-finite place=triangle at=1 what=coordinate");
+  EXPECT_EQ(refusal(std::string("sho\0t", 5), "a.stl"), "truncated what=stl-header bytes=5");
+  EXPECT_EQ(refusal("some text\n", "a.stl"), "bad-syntax place=line at=1 word=some expected=facet");
+  EXPECT_EQ(refusal(binary_stl(0, 0), "a.stl"), "no-faces what=nothing");
 }
 
 TEST(ReadStl, TakesAsciiInAnyCaseAndWithSeveralSolids) {
@@ -89,11 +88,11 @@ TEST(ReadStl, ReportsAMissingEnd) {
 
 TEST(ReadStl, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("solid\n" + kFacet.substr(0, kFacet.find("endl") + 5), "a.stl"),
-            "line 7: the file ends where 'endloop' is expected");
+            "truncated place=line at=7 what=keyword expected=endloop");
   EXPECT_EQ(refusal("solid\n" + kFacet + "fact normal 0 0 0\n", "a.stl"),
-            "line 9: 'fact' stands where 'facet' is expected");
+            "bad-syntax place=line at=9 word=fact expected=facet");
   EXPECT_EQ(refusal("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 nan\n", "a.stl"),
-            "line 4: a coordinate is not a finite number");
+            "not-finite place=line at=4 what=coordinate");
 }
 
 TEST(ReadStl, TellsHowFarCoordinatesWereRounded) {

@@ -251,7 +251,10 @@ TEST(Repair, ClosesACrackAndTellsItsWidth) {
                                                  {0, 0, 50}},
                                                 {{0, 1, 2, 3}, {5, 4, 6, 7}}));
   EXPECT_EQ(count_of(model, "closed-cracks"), 2);
-  EXPECT_NE(repair_named(model.repairs, "closed-cracks").text.find("0.002"), std::string::npos);
+  const Repair cracks = repair_named(model.repairs, "closed-cracks");
+  ASSERT_EQ(cracks.parameters.size(), 1u);
+  EXPECT_EQ(cracks.parameters[0].name, "width");
+  EXPECT_NEAR(std::get<double>(cracks.parameters[0].value), 0.002, 1e-9);
   EXPECT_EQ(model.mesh.component_count, 1);
   EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), 2);
 }

@@ -16,7 +16,7 @@ void expect_outcome(const Reproduction& reproduction) {
       run_file(bytes_of(reproduction.file), reproduction.file.filename().string(), {.runs = 50});
   if (reproduction.outcome != "nets") {
     ASSERT_EQ(outcome.all<ErrorEvent>().size(), 1u);
-    EXPECT_EQ(outcome.all<ErrorEvent>()[0].code, reproduction.outcome);
+    EXPECT_EQ(outcome.all<ErrorEvent>()[0].message.code, reproduction.outcome);
     return;
   }
   expect_sound(outcome);

@@ -72,7 +72,7 @@ TEST(CanonicalDump, LeavesOutHowTheResultWasFound) {
   JobResult result = small_result();
   result.moves = 12345;
   result.generations = 7;
-  result.notices.push_back({"part-split", "a sentence"});
+  result.notices.push_back({"part-split", {{"part", 1}}});
   EXPECT_EQ(canonical_dump(result), canonical_dump(small_result()));
 }
 

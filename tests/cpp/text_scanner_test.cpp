@@ -51,7 +51,7 @@ TEST(TextScanner, NamesTheLineOfABadNumber) {
     scanner.number();
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "line 3: 'x' stands where a number is expected");
+    EXPECT_STREQ(error.what(), "bad-number place=line at=3 what=number word=x");
   }
 }
 
@@ -120,9 +120,9 @@ TEST(ParseInteger, SaturatesInsteadOfOverflowing) {
 }
 
 TEST(Quoted, IsShortAndPrintable) {
-  EXPECT_EQ(quoted("abc"), "'abc'");
-  EXPECT_EQ(quoted("a\nb\xFF"), "'a?b?'");
-  EXPECT_LT(foldwright::quoted(std::string(1000, 'x')).size(), 40u);
+  EXPECT_EQ(excerpt("abc"), "abc");
+  EXPECT_EQ(excerpt("a\nb\xFF"), "a?b?");
+  EXPECT_LT(foldwright::excerpt(std::string(1000, 'x')).size(), 40u);
 }
 
 }  // namespace

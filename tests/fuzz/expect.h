@@ -15,11 +15,11 @@ inline void expect(bool holds, std::string_view promise) {
   std::abort();
 }
 
-/// A refusal names a code for programs and one sentence for people.
+/// A refusal names a code for programs and one line for developers.
 inline void expect_refusal(std::string_view code, std::string_view sentence) {
   expect(!code.empty() && code.find(' ') == std::string_view::npos, "a code is a word");
-  expect(!sentence.empty(), "a refusal has a sentence");
-  expect(sentence.find('\n') == std::string_view::npos, "a sentence is one line");
+  expect(!sentence.empty(), "a refusal has a description");
+  expect(sentence.find('\n') == std::string_view::npos, "a description is one line");
 }
 
 }  // namespace foldwright::fuzz

@@ -35,8 +35,10 @@ void expect_good_end(const foldwright::Event& end) {
     expect(foldwright::testing::fault_of(*done->result).empty(),
            foldwright::testing::fault_of(*done->result));
   } else if (const auto* error = std::get_if<foldwright::ErrorEvent>(&end)) {
-    expect(error->code != "internal" && error->code != "out-of-memory", error->text);
-    foldwright::fuzz::expect_refusal(error->code, error->text);
+    const auto& message = error->message;
+    const std::string text = foldwright::describe(message);
+    expect(message.code != "internal" && message.code != "out-of-memory", text);
+    foldwright::fuzz::expect_refusal(message.code, text);
   } else {
     expect(std::holds_alternative<foldwright::CancelledEvent>(end), "a job tells how it ended");
   }

@@ -135,7 +135,7 @@ describe.skipIf(sharedFolder() === null || !isBuilt)('a case that people reporte
     const model = join(folder, 'cube400mm.obj');
     const { status, stderr } = await foldwright([model, '--scale', '1', '--unit', 'mm']);
     expect(status).toBe(3);
-    expect(stderr).toContain('a flat face with an edge of 400 mm is larger than a sheet');
+    expect(stderr).toContain('a flat face of 400 x 400 mm is larger than a sheet');
     const share = Number(/would fit at (\d+) % of the size/.exec(stderr)?.[1]);
     await unfold('cube400mm.obj', '--scale', String(share / 100), '--unit', 'mm');
   });

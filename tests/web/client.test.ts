@@ -37,13 +37,15 @@ describe('runJob', () => {
   });
 
   it('rejects with the code and sentence of an error', async () => {
+    const badIndex = { place: 'line', at: 3, what: 'beyond', index: 9, vertices: 8, first: 1 };
     const { pool } = poolFor({
-      steps: [[{ type: 'error', code: 'bad-index', text: 'line 3: no vertex 9' }]],
+      steps: [[{ type: 'error', code: 'bad-index', params: badIndex }]],
     });
     await expect(run(pool)).rejects.toMatchObject({
       name: 'JobError',
       code: 'bad-index',
-      message: 'line 3: no vertex 9',
+      params: badIndex,
+      message: 'line 3: face refers to vertex 9, but the file has 8 vertices',
     });
   });
 

@@ -27,8 +27,8 @@ function next(before: DocumentState, edits: readonly DocumentEdit[]): DocumentSt
   const { wishes, result } = before;
   const [edit] = edits;
   if (edit?.kind === 'split') return stateOf(wishes.settings, result.parts + edit.into - 1);
-  if (edit?.kind !== 'name') return refusal('bad-edit', 'there is no such edit');
-  if (edit.text.length > 16) return refusal('bad-option', 'the name is too long');
+  if (edit?.kind !== 'name') return refusal('bad-edit', { what: 'no-part-named' });
+  if (edit.text.length > 16) return refusal('bad-option', { what: 'name-length' });
   return stateOf(wishes.settings, result.parts, renamed(result.names, edit.part - 1, edit.text));
 }
 

@@ -11,7 +11,7 @@ function reportOf(parts: number, result = boxAndLidResult()): Report {
     job: { ...defaultOptions, parts },
     files: ['out-1.svg', 'out-2.svg', 'report.json'],
     result,
-    printed: [{ code: 'missing-glyphs', text: 'no font has X' }],
+    printed: [{ code: 'missing-glyphs', params: { letters: ['X'] } }],
     seconds: {
       read: 0.1,
       learn: 1,

@@ -28,11 +28,17 @@ function sizeOf(result: JobResult): string {
 
 describe('the words of a result', () => {
   it('have a line for every repair and every notice', () => {
-    const told = Array.from({ length: 30 }, (_, i) => ({ code: 'c', count: 1, text: `line ${i}` }));
-    const result = { ...boxAndLidResult(), repairs: told, notices: told };
-    const lines = told.map(({ text }) => `L${text.slice(1)}.`);
-    expect(repairRemarks(result)).toEqual(lines);
-    expect(netRemarks(result)).toEqual(expect.arrayContaining(lines));
+    const parts = Array.from({ length: 30 }, (_, i) => i + 1);
+    const repairs = parts.map((count) => ({ code: 'halved-edges', count, params: {} }));
+    const notices = parts.map((part) => ({ code: 'meets-itself', params: { part } }));
+    const result = { ...boxAndLidResult(), repairs, notices };
+    const why = 'halved, since two edges connected the same vertices.';
+    const mended = parts.map((n) => `${n} ${n === 1 ? 'edge was' : 'edges were'} ${why}`);
+    expect(repairRemarks(result)).toEqual(mended);
+    const known = netRemarks(result);
+    for (const part of parts) {
+      expect(known.filter((line) => line.startsWith(`Part ${part} has faces`))).toHaveLength(1);
+    }
   });
 
   it('tell pieces and sheets, even of a run that was cancelled', () => {

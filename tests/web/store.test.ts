@@ -97,9 +97,9 @@ describe('a run', () => {
     await store.choose(Promise.resolve(file('other.obj')));
     for (const [error, ending] of [
       [null, { type: 'cancelled' }],
-      [new JobError('bad-mesh', 'no faces'), { type: 'failed', cause: 'file' }],
-      [new JobError('bad-option', 'no'), { type: 'failed', cause: 'job' }],
-      [new JobError(engineDied, 'gone'), { type: 'failed', cause: 'crash' }],
+      [new JobError('no-faces', { what: 'nothing' }), { type: 'failed', cause: 'file' }],
+      [new JobError('bad-option', { what: 'name-number' }), { type: 'failed', cause: 'job' }],
+      [new JobError(engineDied, { reason: 'gone' }), { type: 'failed', cause: 'crash' }],
     ] as const) {
       const run = store.unfold(settings, fields);
       await settle();

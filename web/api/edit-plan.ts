@@ -16,6 +16,9 @@ import {
   paperOptions,
   printOptionNames,
 } from '../model/written-options.js';
+import type { Message, MessageParams } from '../model/message.js';
+import type { Code, Messages } from '../words/messages.js';
+import { phraseOf } from '../words/phrase.js';
 import type { DocumentState, Wishes } from './document-state.js';
 
 /** Why an edit cannot be made; nothing was changed. */
@@ -23,8 +26,9 @@ export interface Refusal {
   ok: false;
   /** A stable word for programs. */
   code: string;
-  params: {
-    /** One sentence for people. */
+  /** What a sentence about it needs, and beside that: */
+  params: MessageParams & {
+    /** That sentence in English. */
     text: string;
     /** Faces of the repaired model that are in the way. */
     faces?: number[];
@@ -40,8 +44,18 @@ export interface EditPlan {
   seed?: number;
 }
 
-export function refusal(code: string, text: string, faces?: Iterable<number>): Refusal {
-  return { ok: false, code, params: { text, ...(faces && { faces: [...faces] }) } };
+export function refusal<Name extends Code>(
+  code: Name,
+  params: Messages[Name] & MessageParams,
+  faces?: Iterable<number>,
+): Refusal {
+  return refusalOf({ code, params }, faces);
+}
+
+/** The refusal that a message tells, of whatever code. */
+export function refusalOf({ code, params }: Message, faces?: Iterable<number>): Refusal {
+  const text = phraseOf({ code, params });
+  return { ok: false, code, params: { ...params, text, ...(faces && { faces: [...faces] }) } };
 }
 
 type PartChange = Extract<DocumentEdit, { kind: 'split' | 'merge' | 'again' }>;
@@ -134,20 +148,20 @@ class Planner {
 
   private name(part: number, text: string): EditPlan | Refusal {
     const { parts, names } = this.state.result;
-    if (part > parts) return refusal('no-part', `there is no part ${part}: there are ${parts}`);
+    if (part > parts) return refusal('no-part', { part, parts });
     return this.inPlace({ names: renamed(names, part - 1, text) });
   }
 
   private pin(edit: Extract<DocumentEdit, { kind: 'place' | 'unpin' }>): EditPlan | Refusal {
     const piece: Piece | undefined = this.state.result.pieces[edit.piece - 1];
     const count = this.state.result.pieces.length;
-    if (!piece) return refusal('no-piece', `there is no piece ${edit.piece}: there are ${count}`);
+    if (!piece) return refusal('no-piece', { piece: edit.piece, pieces: count });
     const [part, face] = [piece.part, piece.sources[0]!];
     const { pins } = this.state.wishes;
     const others = pins.filter((pin) => pin.part !== part || pin.face !== face);
     if (edit.kind === 'unpin') {
       if (others.length === pins.length) {
-        return refusal('not-pinned', `piece ${edit.piece} is not pinned`);
+        return refusal('not-pinned', { piece: edit.piece });
       }
       return this.inPlace({ pins: others });
     }
@@ -186,9 +200,9 @@ export function planEdits(
     if (edits.every(isPartChange)) return planner.parts(edits);
   } catch (error) {
     if (!(error instanceof BadOption)) throw error;
-    return refusal(error.code, error.message);
+    return refusal(error.code, { what: 'written', detail: error.message });
   }
-  return refusal('not-together', 'only edits that split and merge parts can be made in one go');
+  return refusal('not-together', {});
 }
 
 /** Pins and names as they are after a job, which may have given parts other numbers. */

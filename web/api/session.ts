@@ -15,7 +15,14 @@ import type { JobOptions, JobStart } from '../model/job.js';
 import { addSeconds } from '../model/stage-seconds.js';
 import { changedSettings, defaultSettings, type Options } from '../model/written-options.js';
 import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
-import { planEdits, refusal, settledWishes, type EditPlan, type Refusal } from './edit-plan.js';
+import {
+  planEdits,
+  refusal,
+  refusalOf,
+  settledWishes,
+  type EditPlan,
+  type Refusal,
+} from './edit-plan.js';
 import { History } from './history.js';
 import type { ModelFile, RunWork, WorkOptions } from './work.js';
 
@@ -129,7 +136,7 @@ export class Session {
       const made = await this.make(before, plan, work);
       if ('ok' in made) return made;
       if (this.history.position !== position) {
-        return refusal('overtaken', 'another step was taken back or made again meanwhile');
+        return refusal('overtaken', {});
       }
       this.history.add(edits, made, (state, more) => this.remake(state!, edits, more));
       const old = new Set(netKeys(before.result));
@@ -249,7 +256,7 @@ export class Session {
       return { wishes: settledWishes(wishes, { result }), result };
     } catch (error) {
       if (!(error instanceof JobError) || crashes.includes(error.code)) throw error;
-      return refusal(error.code, error.message, error.faces);
+      return refusalOf(error, error.faces);
     }
   }
 

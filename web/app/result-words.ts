@@ -2,6 +2,7 @@ import type { TimedResult } from '../core/client.js';
 import type { JobResult, Model, Notice } from '../model/job.js';
 import { leftOut } from '../model/left-out.js';
 import type { PaperSize } from '../model/paper.js';
+import { phraseOf, repairPhrase } from '../words/phrase.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -95,7 +96,7 @@ export function resultFacts(result: TimedResult): Fact[] {
 
 /** What was changed on the model before it was unfolded. */
 export function repairRemarks({ repairs }: JobResult): string[] {
-  return repairs.map(({ text }) => sentence(text));
+  return repairs.map((repair) => sentence(repairPhrase(repair)));
 }
 
 /** What a person should know about the nets. */
@@ -110,5 +111,5 @@ export function netRemarks(result: JobResult): string[] {
 
 /** Notices as sentences. */
 export function noticeRemarks(notices: readonly Notice[]): string[] {
-  return notices.map(({ text }) => sentence(text));
+  return notices.map((notice) => sentence(phraseOf(notice)));
 }

@@ -14,6 +14,7 @@ import { Exit, exitStatus, usageError } from './exit.js';
 import { checkFormat, renderOutputs } from './formats.js';
 import { exitOf } from './job-failure.js';
 import { echo, jobOptions } from '../model/options.js';
+import { phraseOf, repairPhrase } from '../words/phrase.js';
 import { Progress } from './progress.js';
 import { readModelFile } from './read-model-file.js';
 import { summarize } from './summary.js';
@@ -94,8 +95,8 @@ function renderReport(
 
 /** Everything that was done to the model and everything that is missing on paper. */
 function remarks(result: TimedResult, print: Print): string[] {
-  const known = [...result.repairs, ...result.notices, ...print.notices].map(({ text }) => text);
-  return [...known, ...leftOut(result)];
+  const known = [...result.notices, ...print.notices].map(phraseOf);
+  return [...result.repairs.map(repairPhrase), ...known, ...leftOut(result)];
 }
 
 async function run(args: string[]): Promise<void> {

@@ -1,5 +1,6 @@
 import type { WriteStream } from 'node:tty';
 import type { TimedEvent } from '../core/protocol.js';
+import { phraseOf } from '../words/phrase.js';
 import { byStage, type Stage } from '../model/stages.js';
 
 const stageLines = byStage(({ line }) => line);
@@ -15,7 +16,7 @@ export class Progress {
   constructor(private readonly stream: WriteStream) {}
 
   readonly onEvent = (event: TimedEvent): void => {
-    if (event.type === 'notice') this.note(event.text);
+    if (event.type === 'notice') this.note(phraseOf(event));
     if (event.type === 'stage') this.report(event.stage, event.progress);
   };
 

@@ -53,13 +53,13 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
       {
         onEvent(event) {
           onEvent?.(event);
-          if (event.type === 'error') fail(new JobError(event.code, event.text, event.faces));
+          if (event.type === 'error') fail(new JobError(event.code, event.params, event.faces));
           if (event.type !== 'done') return;
           const result = { ...event.result, seconds: event.seconds };
           settle(() => resolve(result));
         },
         onDeath(reason) {
-          fail(new JobError(engineDied, `The engine stopped unexpectedly: ${reason}`));
+          fail(new JobError(engineDied, { reason }));
         },
       },
       patience,

@@ -154,8 +154,7 @@ export class Conductor {
     if (!task) return;
     this.filter.restart(task.id);
     if (task.deaths < mostDeaths) return;
-    const text = `The engine stopped unexpectedly ${mostDeaths} times at the same task: ${reason}`;
-    this.passOnEvents([{ type: 'error', code: engineDied, text }]);
+    this.passOnEvents([{ type: 'error', code: engineDied, params: { reason, times: mostDeaths } }]);
   }
 
   /** Passes events on, and puts the tasks that have come up in its queue. */

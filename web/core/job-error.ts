@@ -1,5 +1,8 @@
+import type { MessageParams } from '../model/message.js';
+import { phraseOf } from '../words/phrase.js';
+
 /**
- * A job that failed: `code` is for programs, the message is one sentence for people, `faces` are those
+ * A job that failed: `code` and `params` are for programs, the message is one sentence for people, `faces` are those
  * of the repaired model that it is about.
  */
 export class JobError extends Error {
@@ -7,10 +10,10 @@ export class JobError extends Error {
 
   constructor(
     readonly code: string,
-    sentence: string,
+    readonly params: MessageParams = {},
     readonly faces?: Int32Array,
   ) {
-    super(sentence);
+    super(phraseOf({ code, params }));
   }
 }
 

@@ -52,12 +52,9 @@ function noteOf(sheet: number, count: number, options: PrintOptions): string {
 
 function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notice[] {
   const notices: Notice[] = [];
-  if (lacksLegend) notices.push({ code: 'no-legend', text: 'no sheet has room for the legend' });
+  if (lacksLegend) notices.push({ code: 'no-legend', params: {} });
   const beyond = Math.max(...sheets.map(overrun));
-  if (beyond > 0) {
-    const text = `corrected for this printer, lines run ${beyond.toFixed(1)} mm over the edge of the page: choose a wider margin`;
-    notices.push({ code: 'beyond-page', text });
-  }
+  if (beyond > 0) notices.push({ code: 'beyond-page', params: { by_mm: beyond } });
   return notices;
 }
 
@@ -72,15 +69,12 @@ async function loadFonts(
   try {
     const fonts = await FontSet.load(texts, loadFont);
     if (fonts.missing.length > 0) {
-      const text = `no font has ${fonts.missing.join(' ')}: a box is printed in its place`;
-      notices.push({ code: 'missing-glyphs', text });
+      notices.push({ code: 'missing-glyphs', params: { letters: fonts.missing } });
     }
     return fonts;
   } catch {
     // Sheets without their proper letters are better than none.
-    const text =
-      'the fonts for some letters could not be loaded: they look as the reader’s fonts have them';
-    notices.push({ code: 'fonts-not-loaded', text });
+    notices.push({ code: 'fonts-not-loaded', params: {} });
     return null;
   }
 }

@@ -1,5 +1,6 @@
 import { extentsOf } from '../model/bounds.js';
 import type { FlapCounts, JobOptions, JobResult, Notice, Piece, Repair } from '../model/job.js';
+import { phraseOf, repairPhrase } from '../words/phrase.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** What a report is made of. */
@@ -34,13 +35,18 @@ export interface PieceReport {
   necks_mm: number[];
 }
 
+/** A message with its words. */
+interface Told {
+  text: string;
+}
+
 /** What a run did, for programs; `report.schema.json` describes it field by field. */
 export interface Report {
   version: string;
   seed: number;
   options: Record<string, unknown>;
   files: string[];
-  model: { faces: number; vertices: number; components: number; repairs: Repair[] };
+  model: { faces: number; vertices: number; components: number; repairs: (Repair & Told)[] };
   parts_requested: number | 'auto';
   parts: number;
   pieces: PieceReport[];
@@ -51,7 +57,7 @@ export interface Report {
   efficiency: number;
   flaps: FlapCounts;
   ids: { printed: number; skipped: number[] };
-  notices: Notice[];
+  notices: (Notice & Told)[];
   seconds: StageSeconds;
   search: { generations: number; moves: number };
   result_hash: string;
@@ -87,7 +93,7 @@ export function makeReport(input: ReportInput): Report {
       faces: model.faces.length / 3,
       vertices: model.vertices.length / 3,
       components: model.components,
-      repairs: result.repairs,
+      repairs: result.repairs.map((repair) => ({ ...repair, text: repairPhrase(repair) })),
     },
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
     parts: result.parts,
@@ -98,7 +104,10 @@ export function makeReport(input: ReportInput): Report {
     efficiency: result.efficiency,
     flaps: result.flaps,
     ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
-    notices: [...result.notices, ...input.printed],
+    notices: [...result.notices, ...input.printed].map((notice) => ({
+      ...notice,
+      text: phraseOf(notice),
+    })),
     seconds: input.seconds,
     search: result.search,
     result_hash: result.hash,

@@ -2,6 +2,7 @@
  * What goes into a job and what comes out of it, as plain data. Lengths are millimetres unless a
  * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
  */
+import type { Message } from './message.js';
 import type { Stage } from './stages.js';
 
 export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
@@ -113,16 +114,13 @@ export interface JobOptions {
   margin: number;
 }
 
-export interface Repair {
-  code: string;
+/** Something that was mended or noticed in the file, and how many vertices, edges or faces it concerns. */
+export interface Repair extends Message {
   count: number;
-  text: string;
 }
 
-export interface Notice {
-  code: string;
-  text: string;
-}
+/** Something to know about the result. */
+export type Notice = Message;
 
 /** The repaired model at its finished size; y is up. */
 export interface Model {
@@ -377,9 +375,9 @@ export type JobEvent =
       net?: NetPicture;
     }
   | { type: 'net'; part: number; piece: number }
-  | { type: 'notice'; code: string; text: string }
+  | ({ type: 'notice' } & Message)
   | { type: 'done'; result: JobResult }
   /** Ended on demand; `best` holds the nets found so far, if any: other faces are in no piece. */
   | { type: 'cancelled'; best?: JobResult }
   /** `faces`: of the repaired model, that it is about. */
-  | { type: 'error'; code: string; text: string; faces?: Int32Array };
+  | ({ type: 'error'; faces?: Int32Array } & Message);

@@ -1,0 +1,204 @@
+import { describe, expect, it } from 'vitest';
+import type { MessageParams } from '../../web/model/message.js';
+import { english } from '../../web/words/en.js';
+import type { KnownMessage, OwnMessages } from '../../web/words/messages.js';
+import { phraseOf, repairPhrase } from '../../web/words/phrase.js';
+
+/** Codes of what TypeScript finds itself; the type makes the list complete. */
+const own = Object.keys({
+  'engine-died': 0,
+  overtaken: 0,
+  'no-piece': 0,
+  'not-pinned': 0,
+  'not-together': 0,
+  'no-legend': 0,
+  'beyond-page': 0,
+  'missing-glyphs': 0,
+  'fonts-not-loaded': 0,
+} satisfies Record<keyof OwnMessages, 0>);
+
+async function engineCodes(): Promise<string[]> {
+  const { default: start } = await import('../../web/core/generated/foldwright.mjs');
+  return (await start()).messageCodes();
+}
+
+/** One for each sentence of a code that has several, and for each form of a plural. */
+const examples: readonly [KnownMessage, string][] = [
+  [
+    {
+      code: 'bad-index',
+      params: { place: 'line', at: 6, what: 'beyond', index: 99, vertices: 4, first: 1 },
+    },
+    'line 6: face refers to vertex 99, but the file has 4 vertices',
+  ],
+  [
+    {
+      code: 'bad-index',
+      params: { place: 'line', at: 7, what: 'beyond', index: 3, vertices: 3, first: 0 },
+    },
+    'line 7: face refers to vertex 3, but the file has 3 vertices, counted from 0',
+  ],
+  [
+    { code: 'bad-index', params: { place: 'line', at: 6, what: 'before', index: -5, vertices: 4 } },
+    'line 6: face refers to vertex -5, but only 4 vertices come before it',
+  ],
+  [
+    { code: 'bad-number', params: { place: 'line', at: 2, what: 'comma', word: '1,5' } },
+    "line 2: '1,5' has a comma; numbers need a decimal point",
+  ],
+  [
+    { code: 'bad-number', params: { place: 'line', at: 5, what: 'whole', word: 'x' } },
+    "line 5: 'x' stands where a whole number is expected",
+  ],
+  [
+    { code: 'bad-size', params: { least: 1e-60, most: 1e60 } },
+    "the model's size is out of range; 1e-60 to 1e60 is supported",
+  ],
+  [
+    {
+      code: 'bad-header',
+      params: { what: 'property', element: 'face', property: 'vertex_indices' },
+    },
+    "element 'face' needs one property 'vertex_indices' that is a list",
+  ],
+  [
+    { code: 'bad-header', params: { what: 'property', element: 'vertex', property: 'y' } },
+    "element 'vertex' needs one property 'y'",
+  ],
+  [
+    {
+      code: 'truncated',
+      params: { what: 'vertices', place: 'line', at: 3, done: 1, announced: 5 },
+    },
+    'line 3: the file ends after 1 of 5 vertices',
+  ],
+  [{ code: 'truncated', params: { what: 'header-only' } }, 'the file ends after its header'],
+  [
+    {
+      code: 'truncated',
+      params: { what: 'triangles', place: 'triangle', at: 2, announced: 4294967295 },
+    },
+    'triangle 2: the file ends here, but its header announces 4294967295 triangles',
+  ],
+  [
+    { code: 'unknown-format', params: { what: 'contents', format: 'glb' } },
+    'the file is a GLB (binary glTF) model, which is not read; OBJ, STL, OFF and PLY are',
+  ],
+  [
+    { code: 'unknown-format', params: { what: 'ending', ending: 'xyz' } },
+    "files that end in '.xyz' are not read; OBJ, STL, OFF and PLY are",
+  ],
+  [
+    {
+      code: 'ignored-elements',
+      params: { count: 6, points: 1, lines: 2, curves: 2, surfaces: 1 },
+    },
+    'ignored, since only faces fold: 1 point element, 2 line elements, 2 free-form curves, 1 free-form surface',
+  ],
+  [
+    { code: 'closed-cracks', params: { count: 2, width: 0.0020000001 } },
+    "2 edges were joined to others across cracks, the widest 0.002 of the model's units wide",
+  ],
+  [
+    { code: 'flipped-faces', params: { count: 1 } },
+    '1 face was turned over, so that all have the same side outside',
+  ],
+  [
+    { code: 'split-nonmanifold-vertices', params: { count: 2 } },
+    '2 vertices where surfaces only touch came apart',
+  ],
+  [
+    { code: 'open-border', params: { count: 1, gap: 0.001 } },
+    "1 edge lies on the border of an open surface; gaps wider than 0.001 of the model's size, or wide against the edges beside them, are left open",
+  ],
+  [
+    { code: 'open-border', params: { what: 'edge' } },
+    'only one face has this edge: there is nothing to join there',
+  ],
+  [
+    { code: 'bad-edit', params: { what: 'apart', parts: [1, 2, 5] } },
+    'parts 1, 2 and 5 do not touch, so they cannot become one',
+  ],
+  [
+    { code: 'bad-edit', params: { what: 'into', parts: [1], into: 2000000000, most: 12 } },
+    'part 1 cannot become 2000000000 parts: from 1 to 12 are possible, one for each flat panel',
+  ],
+  [
+    { code: 'bad-option', params: { what: 'clearance', least: 0.0001, most: 0.2 } },
+    'clearance must be from 0.0001 to 0.2',
+  ],
+  [
+    { code: 'bad-option', params: { what: 'height', most: 100000 } },
+    'height must be above 0 and at most 100000 mm',
+  ],
+  [
+    { code: 'bad-pin', params: { what: 'overlap', pieces: ['A', 'Wing'], sheet: 1 } },
+    'pieces A and Wing are pinned on top of each other on sheet 1',
+  ],
+  [
+    {
+      code: 'face-too-large',
+      params: {
+        face_width_mm: 400,
+        face_height_mm: 400,
+        width_mm: 210,
+        height_mm: 297,
+        share: 0.508,
+      },
+    },
+    'at this size a flat face of 400 x 400 mm is larger than a sheet of 210 x 297 mm: it would fit at 50 % of the size, or on paper 2.0 times as large',
+  ],
+  [
+    { code: 'out-of-memory', params: { what: 'paper' } },
+    'there is not enough memory for placing pieces on sheets: choose a smaller size, smaller paper or fewer faces',
+  ],
+  [
+    { code: 'joints', params: { what: 'numbered', count: 1 } },
+    '1 edge is glued to faces that it does not continue: look for the same number there',
+  ],
+  [
+    { code: 'joints', params: { what: 'bare', count: 3 } },
+    '3 edges are glued to faces that they do not continue',
+  ],
+  [
+    { code: 'large-model', params: { faces: 70000, seconds: 229.4, proposed: 3000 } },
+    'the model has 70000 faces: nets for them take about 4 minutes, and most of them will be too small to fold; simplified to 3000 faces (--faces 3000) it takes seconds',
+  ],
+  [
+    { code: 'parts-raised', params: { what: 'bodies', bodies: 2 } },
+    'the model has 2 separate bodies, so it needs at least as many parts',
+  ],
+  [
+    { code: 'unchecked-pieces', params: { what: 'off', pieces: ['A'] } },
+    'no way to fold up piece A was looked for: folding is switched off',
+  ],
+  [
+    { code: 'engine-died', params: { reason: 'gone', times: 3 } },
+    'The engine stopped unexpectedly 3 times at the same task: gone',
+  ],
+];
+
+describe('the table of messages', () => {
+  it('has a sentence for every code that there is, and none for others', async () => {
+    const codes = [...(await engineCodes()), ...own];
+    expect(Object.keys(english).sort()).toEqual(codes.sort());
+  });
+
+  it.each(examples.map(([message, words]) => [words, message] as const))(
+    'says “%s”',
+    (words, message) => {
+      expect(phraseOf({ code: message.code, params: message.params as MessageParams })).toBe(words);
+    },
+  );
+
+  it('counts repairs', () => {
+    const repair = { code: 'halved-edges', count: 2, params: {} };
+    expect(repairPhrase(repair)).toMatch(/^2 edges were halved/);
+  });
+
+  it('names the code of a message that it does not know', () => {
+    expect(phraseOf({ code: 'no-such-code', params: {} })).toBe("message 'no-such-code'");
+    expect(phraseOf({ code: 'toString', params: {} })).toBe("message 'toString'");
+    expect(phraseOf({ code: 'beyond-page', params: {} })).toBe("message 'beyond-page'");
+  });
+});

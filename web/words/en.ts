@@ -1,0 +1,491 @@
+/** The English table: a phrase for every message, which may be part of a line. */
+import type { Messages } from './messages.js';
+import { choose, count, figure, parts, pieces, rounded } from './numbers.js';
+
+/** One function per code, from its parameters to a phrase. */
+export type Table = { readonly [Code in keyof Messages]: (params: Messages[Code]) => string };
+
+const quoted = (word: string): string => `'${word}'`;
+
+/** "line 23: ", or nothing where no place is known. */
+function prefix({ place, at }: { place?: string; at?: number }): string {
+  return place === undefined || at === undefined ? '' : `${place} ${figure(at)}: `;
+}
+
+const plural = {
+  vertex: 'vertices',
+  face: 'faces',
+  edge: 'edges',
+};
+
+/** "1 face was turned over", "2 faces were turned over" */
+function was(noun: keyof typeof plural, what: string): (params: { count: number }) => string {
+  return ({ count: number }) =>
+    `${count(number, noun, plural[noun])} ${choose(number, 'was', 'were')} ${what}`;
+}
+
+const readFormats = 'OBJ, STL, OFF and PLY are';
+
+/** Formats that are known but not read. */
+const formats: Readonly<Record<string, string>> = {
+  glb: 'a GLB (binary glTF) model',
+  fbx: 'an FBX model',
+  step: 'a STEP model',
+  blend: 'a Blender project',
+  zstandard: 'a compressed Blender project or another Zstandard archive',
+  skp: 'a SketchUp model',
+  '3dm': 'a Rhino model',
+  vrml: 'a VRML model',
+  vox: 'a MagicaVoxel model',
+  draco: 'a Draco model',
+  dxf: 'a DXF drawing',
+  dwg: 'a DWG drawing',
+  pdf: 'a PDF document',
+  ps: 'a PostScript document',
+  png: 'a PNG picture',
+  jpeg: 'a JPEG picture',
+  gif: 'a GIF picture',
+  gzip: 'a gzip archive',
+  '7z': 'a 7-Zip archive',
+  rar: 'a RAR archive',
+  'git-lfs': 'a Git LFS pointer to a model',
+  dae: 'a COLLADA (DAE) model',
+  x3d: 'an X3D model',
+  amf: 'an AMF model',
+  svg: 'an SVG drawing',
+  html: 'a web page',
+  xml: 'an XML document',
+  gltf: 'a glTF model',
+  json: 'a JSON document',
+  '3mf': 'a 3MF model',
+  zip: 'a ZIP archive',
+  '3ds': 'a 3DS model',
+};
+
+/** What a stage does, and what helps where memory ends in it. */
+const stages = {
+  read: ['reading and repairing the model', 'simplify the model in the program that made it'],
+  learn: ['learning from unfoldings', 'simplify the model to fewer faces'],
+  cluster: ['cutting the model into parts', 'simplify the model to fewer faces'],
+  search: ['searching nets', 'simplify the model to fewer faces'],
+  compact: ['making room for flaps', 'simplify the model to fewer faces'],
+  paper: ['placing pieces on sheets', 'choose a smaller size, smaller paper or fewer faces'],
+} as const;
+
+const units = { mm: 'millimetres', cm: 'centimetres', m: 'metres', in: 'inches' } as const;
+
+function badHeader(params: Messages['bad-header']): string {
+  switch (params.what) {
+    case 'property-type':
+      return `${prefix(params)}${quoted(params.word)} is not a property type`;
+    case 'encoding':
+      return `${prefix(params)}${quoted(params.word)} is not a PLY encoding`;
+    case 'ply-magic':
+      return `${prefix(params)}a PLY file begins with 'ply', this one with ${quoted(params.word)}`;
+    case 'off-magic':
+      return `${prefix(params)}an OFF file begins with OFF, this one with ${quoted(params.word)}`;
+    case 'keyword':
+      return `${prefix(params)}${quoted(params.word)} is not a header keyword`;
+    case 'element-count':
+      return `${prefix(params)}element ${quoted(params.element)} needs a count that is not negative`;
+    case 'property-first':
+      return `${prefix(params)}a property stands before any element`;
+    case 'no-format':
+      return `${prefix(params)}the header ends without a 'format' line`;
+    case 'counts':
+      return `${prefix(params)}the counts must not be negative`;
+    case 'dimensions':
+      return `the vertices have ${figure(params.dimensions)} dimensions; only models with 3 can be unfolded`;
+    case 'property': {
+      const list = params.property === 'vertex_indices' ? ' that is a list' : '';
+      return `element ${quoted(params.element)} needs one property ${quoted(params.property)}${list}`;
+    }
+  }
+}
+
+function badIndex(params: Messages['bad-index']): string {
+  const { index, vertices } = params;
+  const face = `${prefix(params)}face refers to vertex ${figure(index)}`;
+  if (params.what === 'before')
+    return `${face}, but only ${figure(vertices)} vertices come before it`;
+  const from = params.first === 0 ? ', counted from 0' : '';
+  return `${face}, but the file has ${figure(vertices)} vertices${from}`;
+}
+
+function badNumber(params: Messages['bad-number']): string {
+  const word = `${prefix(params)}${quoted(params.word)}`;
+  if (params.what === 'comma') return `${word} has a comma; numbers need a decimal point`;
+  return `${word} stands where a ${params.what === 'whole' ? 'whole number' : 'number'} is expected`;
+}
+
+const noFaces = {
+  nothing: 'the file has neither vertices nor faces',
+  vertices: 'the file has vertices but no faces; points and lines alone cannot be unfolded',
+  surfaces: "the file has free-form surfaces ('surf') but no faces; save it as polygons",
+  model: 'the model has no faces',
+} as const;
+
+function truncated(params: Messages['truncated']): string {
+  switch (params.what) {
+    case 'number':
+      return `${prefix(params)}the file ends where a number is expected`;
+    case 'coordinates':
+      return `${prefix(params)}vertex has fewer than 3 coordinates`;
+    case 'face':
+      return `${prefix(params)}the file ends in the middle of a face`;
+    case 'ply-header':
+      return `${prefix(params)}the file ends before 'end_header'`;
+    case 'more':
+      return `${prefix(params)}the file ends here, but more is announced`;
+    case 'stl-header':
+      return `the file has ${figure(params.bytes)} bytes, too few for the header of a binary STL`;
+    case 'triangles':
+      return `${prefix(params)}the file ends here, but its header announces ${figure(params.announced)} triangles`;
+    case 'element':
+      return `${prefix(params)}the file ends here, but its header announces ${figure(params.announced)} of element ${quoted(params.element)}`;
+    case 'keyword':
+      return `${prefix(params)}the file ends where ${quoted(params.expected)} is expected`;
+    case 'vertices':
+    case 'faces':
+      return `${prefix(params)}the file ends after ${figure(params.done)} of ${figure(params.announced)} ${params.what}`;
+    case 'header-only':
+      return `${prefix(params)}the file ends after its header`;
+  }
+}
+
+function unknownFormat(params: Messages['unknown-format']): string {
+  switch (params.what) {
+    case 'contents': {
+      const format = formats[params.format] ?? params.format;
+      return `the file is ${format}, which is not read; ${readFormats}`;
+    }
+    case 'ending':
+      return `files that end in '.${params.ending}' are not read; ${readFormats}`;
+    case 'nothing':
+      return `neither the file's contents nor an ending of its name tell its format; ${readFormats}`;
+  }
+}
+
+function ignoredElements({
+  points,
+  lines,
+  curves,
+  surfaces,
+}: Messages['ignored-elements']): string {
+  const kinds = [
+    [points, 'point element'],
+    [lines, 'line element'],
+    [curves, 'free-form curve'],
+    [surfaces, 'free-form surface'],
+  ] as const;
+  const found = kinds.filter(([number]) => number > 0);
+  const list = found.map(([number, noun]) => count(number, noun)).join(', ');
+  return `ignored, since only faces fold: ${list}`;
+}
+
+function openBorder(params: Messages['open-border']): string {
+  if (params.what === 'edge') return 'only one face has this edge: there is nothing to join there';
+  const edges = `${count(params.count, 'edge')} ${choose(params.count, 'lies', 'lie')}`;
+  return (
+    `${edges} on the border of an open surface; gaps wider than ${rounded(params.gap)} of the model's size, ` +
+    'or wide against the edges beside them, are left open'
+  );
+}
+
+function badEdit(params: Messages['bad-edit']): string {
+  switch (params.what) {
+    case 'no-part-named':
+      return 'an edit must name a part';
+    case 'no-part':
+      return `there is no part ${figure(params.part)}: the model has ${count(params.parts, 'part')}`;
+    case 'twice':
+      return `part ${figure(params.part)} is named twice: one change at a time for each part`;
+    case 'apart':
+      return `${parts(params.parts)} do not touch, so they cannot become one`;
+    case 'into':
+      return (
+        `${parts(params.parts)} cannot become ${count(params.into, 'part')}: from 1 to ${figure(params.most)} ` +
+        'are possible, one for each flat panel'
+      );
+  }
+}
+
+function badOption(params: Messages['bad-option']): string {
+  switch (params.what) {
+    case 'height':
+    case 'width':
+    case 'depth':
+      return `${params.what} must be above 0 and at most ${figure(params.most)} mm`;
+    case 'scale':
+      return `scale must be above 0 and at most ${figure(params.most)}`;
+    case 'paper':
+      return `paper must be between 0 and ${figure(params.most)} mm`;
+    case 'pin-sheet':
+      return `the sheet of a pinned piece must be one of the first ${figure(params.most)}`;
+    case 'parts':
+      return `parts must be auto or at least ${figure(params.least)}`;
+    case 'proxy':
+      return `proxy must be ${figure(params.least)} or more`;
+    case 'faces':
+      return `faces must be at least ${figure(params.least)}`;
+    case 'margin':
+      return `margin must be ${figure(params.least)} mm or more, and less than half the paper's shorter side`;
+    case 'sheets':
+      return `sheets must be a whole number from ${figure(params.least)} to ${figure(params.most)}`;
+    case 'flaps':
+      return `flaps must be from ${figure(params.least)} to ${figure(params.most)} mm`;
+    case 'flap-height':
+      return `the height of a flap must be from ${figure(params.least)} to ${figure(params.most)} mm`;
+    case 'flap-angle':
+      return `flap-angle must be from ${figure(params.least)} to ${figure(params.most)} degrees`;
+    case 'runs':
+    case 'clearance':
+      return `${params.what} must be from ${figure(params.least)} to ${figure(params.most)}`;
+    case 'names-of-part':
+      return 'the names of parts must be at most one for each part';
+    case 'pin-piece':
+      return 'a pinned piece must be named by its part and a face of it';
+    case 'pin-place':
+      return 'the place of a pinned piece must be a finite number';
+    case 'name-control':
+      return 'the name of a part must not hold control characters';
+    case 'name-colon':
+      return 'the name of a part must not hold a colon, which stands before the number of an edge';
+    case 'name-length':
+      return 'the name of a part must have 1 to 16 characters, and no space around them';
+    case 'name-number':
+      return 'the name of a part must not be a number: numbers name edges';
+    case 'same-name':
+      return `two parts cannot have the same name, "${params.name}"`;
+    case 'flap-edge':
+      return `a flap is chosen for the edge from vertex ${figure(params.from)} to ${figure(params.to)}, which the model does not have`;
+    case 'unreadable':
+    case 'written':
+      return params.detail;
+  }
+}
+
+function faceTooLarge(params: Messages['face-too-large']): string {
+  const { face_width_mm, face_height_mm, width_mm, height_mm, share } = params;
+  const paper = (Math.ceil(10 / share) / 10).toFixed(1);
+  return (
+    `at this size a flat face of ${figure(face_width_mm, 0)} x ${figure(face_height_mm, 0)} mm is larger than a sheet of ` +
+    `${figure(width_mm, 3)} x ${figure(height_mm, 3)} mm: it would fit at ${Math.floor(100 * share)} % of the size, ` +
+    `or on paper ${paper} times as large`
+  );
+}
+
+function locked(params: Messages['locked']): string {
+  switch (params.what) {
+    case 'fold':
+      return 'this edge is locked: it is never cut';
+    case 'cut':
+      return 'this edge is locked: it is always cut';
+    case 'faces':
+      return 'a locked fold holds the faces where they are';
+    case 'loop':
+      return 'the loop cannot be opened elsewhere: its folds are locked';
+    case 'parts':
+      return `locked folds hold the faces together: ${figure(params.parts)} parts cannot be made of them`;
+  }
+}
+
+function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {
+  const time =
+    seconds < 90 ? `${Math.round(seconds / 5) * 5} seconds` : `${Math.round(seconds / 60)} minutes`;
+  const fewer = figure(proposed);
+  return (
+    `the model has ${figure(faces)} faces: nets for them take about ${time}, and most of them will be too small ` +
+    `to fold; simplified to ${fewer} faces (--faces ${fewer}) it takes seconds`
+  );
+}
+
+function partsRaised(params: Messages['parts-raised']): string {
+  if (params.what === 'bodies') {
+    const bodies = count(params.bodies, 'separate body', 'separate bodies');
+    return `the model has ${bodies}, so it needs at least as many parts`;
+  }
+  return (
+    `in ${figure(params.parts)} parts it would come to ${figure(params.pieces)} pieces, so it was cut into ` +
+    `${figure(params.instead)} parts instead, each in one piece`
+  );
+}
+
+function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']): string {
+  const help = 'more parts, or fewer faces, would help';
+  if (what === 'large') {
+    return `turning all folds evenly does not fold up ${pieces(names)}, and with so many faces no other way was looked for; ${help}`;
+  }
+  const reasons = {
+    off: 'folding is switched off',
+    cancelled: 'the run was cancelled before',
+    kept: 'the earlier result, which is kept, had none',
+    huge: `so many faces take too long; ${help}`,
+  };
+  return `no way to fold up ${pieces(names)} was looked for: ${reasons[what]}`;
+}
+
+export const english: Table = {
+  'bad-header': badHeader,
+  'bad-index': badIndex,
+  'bad-number': badNumber,
+  'bad-size': ({ least, most }) =>
+    `the model's size is out of range; ${least.toExponential()} to ${most.toExponential().replace('+', '')} is supported`,
+  'bad-syntax': (params) =>
+    `${prefix(params)}${quoted(params.word)} stands where ${quoted(params.expected)} is expected`,
+  'bad-text': (params) => `${prefix(params)}a NUL byte stands in the text; the file is damaged`,
+  'empty-file': () => 'the file is empty',
+  'no-area': ({ what }) =>
+    what === 'point'
+      ? 'all vertices of the model lie at the same place'
+      : 'no face of the model has an area',
+  'no-faces': ({ what }) => noFaces[what],
+  'not-finite': (params) =>
+    params.what === 'weight'
+      ? `${prefix(params)}the fourth coordinate of a vertex must not be 0`
+      : `${prefix(params)}a coordinate is not a finite number`,
+  'too-many-corners': ({ face, corners, most }) =>
+    `face ${figure(face)} has ${figure(corners)} corners; up to ${figure(most)} are supported`,
+  truncated,
+  'unknown-format': unknownFormat,
+
+  'closed-cracks': ({ count: number, width }) =>
+    was(
+      'edge',
+      `joined to others across cracks, the widest ${rounded(width)} of the model's units wide`,
+    )({
+      count: number,
+    }),
+  'closed-t-junctions': was('edge', 'cut at vertices of its neighbours to close a crack'),
+  'crossing-bodies': ({ count: number }) =>
+    `${count(number, 'pair of bodies', 'pairs of bodies')} ${choose(number, 'runs', 'run')} through each other: ` +
+    'their pieces would collide when assembled; unite them in the modelling program',
+  'crossings-unchecked': ({ count: number }) =>
+    `${count(number, 'face')} ${choose(number, 'is', 'are')} too many to look whether bodies run through each other`,
+  'cut-nonorientable': was('edge', 'cut open, since the surface has only one side'),
+  'dropped-degenerate-faces': was('face', 'dropped for having no area'),
+  'dropped-duplicate-faces': was('face', 'dropped for repeating another one'),
+  'dropped-unused-vertices': was('vertex', 'dropped, since no face uses it'),
+  'flattened-faces': ({ count: number, distance }) =>
+    was(
+      'face',
+      `made exactly flat, as drawn; no corner moved by more than ${rounded(distance)} of the model's units`,
+    )({ count: number }),
+  'flipped-faces': was('face', 'turned over, so that all have the same side outside'),
+  'halved-edges': was('edge', 'halved, since two edges connected the same vertices'),
+  'ignored-elements': ignoredElements,
+  'merged-two-sided': was(
+    'face',
+    'given a second time from the other side; both sides are one skin of paper now',
+  ),
+  'missing-endsolid': () => "the file ends without 'endsolid'; triangles may be missing at its end",
+  'open-border': openBorder,
+  'other-format': ({ ending, format }) => `the file is named .${ending}, but holds ${format}`,
+  'self-crossing-bodies': ({ count: number }) =>
+    `${count(number, 'body', 'bodies')} ${choose(number, 'runs', 'run')} through itself: its pieces would collide ` +
+    'when assembled; mend it in the modelling program',
+  'split-nonmanifold-edges': ({ count: number }) =>
+    `${count(number, 'edge')} with more than two faces came apart`,
+  'split-nonmanifold-vertices': ({ count: number }) =>
+    `${count(number, 'vertex', 'vertices')} where surfaces only touch came apart`,
+  'trailing-bytes': ({ count: number }) =>
+    `${figure(number)} bytes after the last triangle were ignored`,
+  'trailing-lines': ({ count: number }) =>
+    `${count(number, 'line')} after the last face ${choose(number, 'was', 'were')} ignored`,
+  'triangulated-polygons': ({ count: number }) =>
+    `${count(number, 'face')} with more than three corners ${choose(number, 'was', 'were')} cut into triangles`,
+  'welded-vertices': was('vertex', 'merged with others at the same place'),
+  'wrong-count': ({ count: number, announced }) =>
+    `the header announces ${figure(announced)} triangles, but the file has ${figure(number)}, which were all read`,
+
+  'bad-edit': badEdit,
+  'bad-margin': () => 'margins leave nothing of the sheet: paper and margin do not fit',
+  'bad-option': badOption,
+  'bad-pin': (params) =>
+    params.what === 'outside'
+      ? `piece ${params.piece} is pinned partly outside the printable area of sheet ${figure(params.sheet)}`
+      : `pieces ${params.pieces.join(' and ')} are pinned on top of each other on sheet ${figure(params.sheet)}`,
+  'bad-start': () => 'the earlier result does not belong to this model',
+  'face-too-large': faceTooLarge,
+  internal: ({ what, detail }) => `internal error while ${stages[what][0]}: ${detail}`,
+  'no-depth': () => 'the model has no depth that could be scaled',
+  'no-height': () => 'the model has no height that could be scaled',
+  'no-width': () => 'the model has no width that could be scaled',
+  'out-of-memory': ({ what }) =>
+    what === 'file'
+      ? 'there is not enough memory for the file of the model'
+      : `there is not enough memory for ${stages[what].join(': ')}`,
+  'too-few-sheets': () => 'the pieces do not go on so few sheets at any size',
+
+  'already-cut': () => 'this edge is cut already',
+  'already-joined': () => 'this edge is a fold already',
+  locked,
+  'inside-panel': () => 'this edge lies within a flat face, which stays whole',
+  'no-edge': ({ from, to }) =>
+    `the model has no edge between corners ${figure(from)} and ${figure(to)}`,
+  'no-face': (params) =>
+    params.what === 'none'
+      ? 'no face was named'
+      : `the model has faces from 0 to ${figure(params.most)}`,
+  'no-net': () => 'a face beside this edge has no net yet',
+  'no-part': ({ part, parts: all }) =>
+    `there is no part ${figure(part)}: the model has ${figure(all)}`,
+  'not-in-loop': () => 'cutting there would not open the loop',
+  'not-touching': () => 'the faces do not touch that part',
+  overlap: ({ what }) =>
+    what === 'pieces'
+      ? 'the two pieces would overlap there'
+      : 'faces of the piece would overlap, wherever it is opened instead',
+  'would-fall-apart': ({ what, part }) =>
+    `without ${what === 'fold' ? 'this fold' : 'these faces'} part ${figure(part)} would fall apart`,
+
+  'faces-above-wish': ({ faces }) =>
+    `simplifying stopped at ${figure(faces)} faces: fewer would break the surface`,
+  joints: ({ what, count: number }) =>
+    `${count(number, 'edge')} ${choose(number, 'is', 'are')} glued to faces that ${choose(number, 'it does', 'they do')} ` +
+    `not continue${what === 'numbered' ? ': look for the same number there' : ''}`,
+  'joints-lost': ({ count: number }) =>
+    `${count(number, 'edge')} that stood on other faces came loose when the model was simplified: glue by sight`,
+  'large-model': largeModel,
+  'materials-ignored': ({ what }) =>
+    `the model's ${what === 'both' ? 'colours and textures' : what} are not printed: its paper is white`,
+  'meets-itself': ({ part }) =>
+    `part ${figure(part)} has faces that run through each other in the model, so no folding of it is free of collisions`,
+  'no-motion': ({ part }) =>
+    `no way was found to fold up part ${figure(part)} in one go without faces running into each other`,
+  'part-split': ({ what, part, pieces: number }) =>
+    `part ${figure(part)} ${what === 'no-motion' ? 'does not fold up' : 'has no net'} in one piece and became ` +
+    `${figure(number)} pieces`,
+  'parts-lowered': ({ panels }) =>
+    `the model has only ${count(panels, 'flat panel')}, so it cannot have more parts`,
+  'parts-raised': partsRaised,
+  'pin-lost': ({ count: number }) =>
+    `${figure(number)} pinned ${choose(number, 'piece is', 'pieces are')} no longer there as they were, ` +
+    'and were laid out anew',
+  'sheet-split': ({ part, pieces: number }) =>
+    `part ${figure(part)} is too large for the sheet and was cut into ${figure(number)} pieces`,
+  'unchecked-pieces': uncheckedPieces,
+  'unit-guessed': ({ unit }) => `the model's unit is not known; ${units[unit]} were assumed`,
+  'up-guessed': () =>
+    'the file does not say which way is up; the z axis was taken, as in most files of this format',
+  'weak-necks': ({ pieces: names }) =>
+    'folds under 5 mm hold many faces on both sides and may tear: strengthen them with tape on the back; ' +
+    `pieces ${names.join(', ')}`,
+
+  'engine-died': ({ reason, times }) =>
+    times === undefined
+      ? `The engine stopped unexpectedly: ${reason}`
+      : `The engine stopped unexpectedly ${figure(times)} times at the same task: ${reason}`,
+  overtaken: () => 'another step was taken back or made again meanwhile',
+  'no-piece': ({ piece, pieces: all }) =>
+    `there is no piece ${figure(piece)}: there are ${figure(all)}`,
+  'not-pinned': ({ piece }) => `piece ${figure(piece)} is not pinned`,
+  'not-together': () => 'only edits that split and merge parts can be made in one go',
+  'no-legend': () => 'no sheet has room for the legend',
+  'beyond-page': ({ by_mm }) =>
+    `corrected for this printer, lines run ${by_mm.toFixed(1)} mm over the edge of the page: choose a wider margin`,
+  'missing-glyphs': ({ letters }) =>
+    `no font has ${letters.join(' ')}: a box is printed in its place`,
+  'fonts-not-loaded': () =>
+    'the fonts for some letters could not be loaded: they look as the reader’s fonts have them',
+};

@@ -1,0 +1,157 @@
+/**
+ * What people are told, as codes with typed parameters: by the engine (`cpp/mesh/message_codes.h`) and by
+ * the programs around it. Where a code has several sentences, `what` says which.
+ */
+
+type None = Record<never, never>;
+type Counted = { count: number };
+/** Where something stands in a file: line 23. */
+type At = { place: 'line' | 'vertex' | 'face' | 'element' | 'triangle' | 'count'; at: number };
+type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
+type Bounded<What extends string> = { what: What; least: number; most: number };
+
+/** Parameters by the codes of the engine. */
+export interface EngineMessages {
+  'bad-header':
+    | ({
+        what: 'property-type' | 'encoding' | 'ply-magic' | 'off-magic' | 'keyword';
+        word: string;
+      } & At)
+    | ({ what: 'element-count'; element: string } & At)
+    | ({ what: 'property-first' | 'no-format' } & At)
+    | ({ what: 'counts' } & Partial<At>)
+    | { what: 'dimensions'; dimensions: number }
+    | { what: 'property'; element: string; property: string };
+  'bad-index': { index: number; vertices: number } & At &
+    ({ what: 'beyond'; first: number } | { what: 'before' });
+  'bad-number': { what: 'comma' | 'number' | 'whole'; word: string } & At;
+  'bad-size': { least: number; most: number };
+  'bad-syntax': { word: string; expected: string } & At;
+  'bad-text': At;
+  'empty-file': None;
+  'no-area': { what: 'point' | 'faces' };
+  'no-faces': { what: 'nothing' | 'vertices' | 'surfaces' | 'model' };
+  'not-finite': { what: 'coordinate' | 'weight' } & At;
+  'too-many-corners': { face: number; corners: number; most: number };
+  truncated:
+    | ({ what: 'number' | 'coordinates' | 'face' | 'ply-header' | 'more' } & At)
+    | { what: 'stl-header'; bytes: number }
+    | ({ what: 'triangles'; announced: number } & At)
+    | ({ what: 'element'; announced: number; element: string } & At)
+    | ({ what: 'keyword'; expected: string } & At)
+    | ({ what: 'vertices' | 'faces'; done: number; announced: number } & At)
+    | ({ what: 'header-only' } & Partial<At>);
+  'unknown-format':
+    { what: 'contents'; format: string } | { what: 'ending'; ending: string } | { what: 'nothing' };
+
+  'closed-cracks': Counted & { width: number };
+  'closed-t-junctions': Counted;
+  'crossing-bodies': Counted;
+  'crossings-unchecked': Counted;
+  'cut-nonorientable': Counted;
+  'dropped-degenerate-faces': Counted;
+  'dropped-duplicate-faces': Counted;
+  'dropped-unused-vertices': Counted;
+  'flattened-faces': Counted & { distance: number };
+  'flipped-faces': Counted;
+  'halved-edges': Counted;
+  'ignored-elements': Counted & { points: number; lines: number; curves: number; surfaces: number };
+  'merged-two-sided': Counted;
+  'missing-endsolid': Counted;
+  'open-border': (Counted & { gap: number; what?: never }) | { what: 'edge' };
+  'other-format': { ending: string; format: string };
+  'self-crossing-bodies': Counted;
+  'split-nonmanifold-edges': Counted;
+  'split-nonmanifold-vertices': Counted;
+  'trailing-bytes': Counted;
+  'trailing-lines': Counted;
+  'triangulated-polygons': Counted;
+  'welded-vertices': Counted;
+  'wrong-count': Counted & { announced: number };
+
+  'bad-edit':
+    | { what: 'no-part-named' }
+    | { what: 'no-part'; part: number; parts: number }
+    | { what: 'twice'; part: number }
+    | { what: 'apart'; parts: number[] }
+    | { what: 'into'; parts: number[]; into: number; most: number };
+  'bad-margin': None;
+  'bad-option':
+    | { what: 'height' | 'width' | 'depth' | 'scale' | 'paper' | 'pin-sheet'; most: number }
+    | { what: 'parts' | 'proxy' | 'faces' | 'margin'; least: number }
+    | Bounded<'sheets' | 'flaps' | 'flap-height' | 'flap-angle' | 'runs' | 'clearance'>
+    | { what: 'names-of-part' | 'pin-piece' | 'pin-place' }
+    | { what: 'name-control' | 'name-colon' | 'name-length' | 'name-number' }
+    | { what: 'same-name'; name: string }
+    | { what: 'flap-edge'; from: number; to: number }
+    | { what: 'unreadable' | 'written'; detail: string };
+  'bad-pin':
+    | { what: 'outside'; piece: string; sheet: number }
+    | { what: 'overlap'; pieces: string[]; sheet: number };
+  'bad-start': None;
+  'face-too-large': {
+    face_width_mm: number;
+    face_height_mm: number;
+    width_mm: number;
+    height_mm: number;
+    share: number;
+  };
+  internal: { what: Stage; detail: string };
+  'no-depth': None;
+  'no-height': None;
+  'no-width': None;
+  'out-of-memory': { what: Stage | 'file' };
+  'too-few-sheets': None;
+
+  'already-cut': None;
+  'already-joined': None;
+  'inside-panel': None;
+  locked: { what: 'fold' | 'cut' | 'faces' | 'loop' } | { what: 'parts'; parts: number };
+  'no-edge': { from: number; to: number };
+  'no-face': { what: 'none' } | { what: 'beyond'; most: number };
+  'no-net': None;
+  'no-part': { part: number; parts: number };
+  'not-in-loop': None;
+  'not-touching': { what: 'faces'; part: number };
+  overlap: { what: 'pieces' | 'loop' };
+  'would-fall-apart': { what: 'faces' | 'fold'; part: number };
+
+  'faces-above-wish': { faces: number };
+  joints: Counted & { what: 'numbered' | 'bare' };
+  'joints-lost': Counted;
+  'large-model': { faces: number; seconds: number; proposed: number };
+  'materials-ignored': { what: 'colours' | 'textures' | 'both' };
+  'meets-itself': { part: number };
+  'no-motion': { part: number };
+  'part-split': { what: 'no-motion' | 'no-net'; part: number; pieces: number };
+  'parts-lowered': { panels: number };
+  'parts-raised':
+    | { what: 'bodies'; bodies: number }
+    | { what: 'pieces'; parts: number; pieces: number; instead: number };
+  'pin-lost': Counted;
+  'sheet-split': { part: number; pieces: number };
+  'unchecked-pieces': { what: 'off' | 'cancelled' | 'kept' | 'huge' | 'large'; pieces: string[] };
+  'unit-guessed': { unit: 'mm' | 'cm' | 'm' | 'in' };
+  'up-guessed': None;
+  'weak-necks': { pieces: string[] };
+}
+
+/** Parameters by the codes of what is found in TypeScript. */
+export interface OwnMessages {
+  'engine-died': { reason: string; times?: number };
+  overtaken: None;
+  'no-piece': { piece: number; pieces: number };
+  'not-pinned': { piece: number };
+  'not-together': None;
+  'no-legend': None;
+  'beyond-page': { by_mm: number };
+  'missing-glyphs': { letters: string[] };
+  'fonts-not-loaded': None;
+}
+
+export interface Messages extends EngineMessages, OwnMessages {}
+
+export type Code = keyof Messages;
+
+/** A message whose code is known. */
+export type KnownMessage = { [Name in Code]: { code: Name; params: Messages[Name] } }[Code];
