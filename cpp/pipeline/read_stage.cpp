@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
 #include "mesh/joints.h"
 #include "mesh/nearest_face.h"
@@ -62,6 +63,7 @@ Mesh simplified(JobState& state) {
   if (wanted == 0 || mesh.face_count() <= wanted) return mesh;
   Mesh simple = simplify(mesh, {.target_faces = wanted});
   state.face_standins = nearest_faces(mesh, simple);
+  state.model.origins = carry_origins(mesh, state.model.origins, simple);
   simple.joints = find_joints(simple);
   if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
     state.notices.push_back({"joints-lost", counted(lost, "edge") +
