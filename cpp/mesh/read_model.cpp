@@ -26,8 +26,6 @@ constexpr std::array<FormatEntry, 4> kFormats = {{{ModelFormat::kObj, "obj", "OB
                                                   {ModelFormat::kOff, "off", "OFF", read_off},
                                                   {ModelFormat::kPly, "ply", "PLY", read_ply}}};
 
-constexpr const char* kFormatsThatAreRead = "; OBJ, STL, OFF and PLY are";
-
 bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); }
 
 /// The ending in lower case; empty when what follows the last point is not like one: "v1.2 final".
@@ -68,6 +66,17 @@ void refuse_foreign(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+bool holds_model(std::span<const std::byte> bytes) {
+  if (has_size_of_binary_stl(bytes)) return true;
+  if (!foreign_format(bytes).empty()) return false;
+  std::string text;
+  return format_of_contents(to_utf8(bytes, text)).has_value();
+}
+
+bool is_named_as_model(std::string_view file_name) {
+  return entry_of_ending(ending_of(file_name)) != nullptr;
+}
 
 PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_name) {
   if (bytes.empty()) throw InputError("empty-file", "the file is empty");

@@ -41,9 +41,35 @@ void tell_looks(const PolygonSoup& soup, JobState& state) {
       {"materials-ignored", "the model's " + looks + " are not printed: its paper is white"});
 }
 
-/// The file's model with y up. A guess is told where the model was turned for it.
+/// Tells which files came along that nothing is made of.
+void tell_ignored(JobState& state) {
+  constexpr std::size_t kMostNames = 3;  // a sentence with more is not read
+  const std::size_t count = state.files.size();
+  if (count == 0) return;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(count, kMostNames); ++i) {
+    const bool is_last = i + 1 == count;
+    names += (i == 0 ? "" : is_last ? " and " : ", ") + state.files[i].name;
+  }
+  if (count > kMostNames) names += " and " + std::to_string(count - kMostNames) + " more";
+  state.notices.push_back({"files-ignored", counted(static_cast<int>(count), "other file") +
+                                                (count == 1 ? " was" : " were") +
+                                                " not needed: " + names});
+}
+
+/// Reads the model among the files, frees it, and keeps the others.
+PolygonSoup read_files(JobState& state) {
+  const auto chosen = state.files.begin() + static_cast<std::ptrdiff_t>(find_model(state.files));
+  const ModelFile model = std::move(*chosen);
+  state.files.erase(chosen);
+  state.result.file = model.name;
+  return read_model(model.bytes, model.name);
+}
+
+/// The files' model with y up. A guess is told where the model was turned for it.
 PolygonSoup read_upright(JobState& state) {
-  PolygonSoup soup = read_model(state.file, state.file_name);
+  PolygonSoup soup = read_files(state);
+  tell_ignored(state);
   tell_looks(soup, state);
   const Axis up = up_of(soup, state.options.up);
   turn_up(soup.positions, up);
@@ -64,6 +90,7 @@ Mesh simplified(JobState& state) {
   Mesh simple = simplify(mesh, {.target_faces = wanted});
   state.face_standins = nearest_faces(mesh, simple);
   state.model.origins = carry_origins(mesh, state.model.origins, simple);
+  state.result.simplified_deviation = largest_deviation(mesh, simple);
   simple.joints = find_joints(simple);
   if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
     state.notices.push_back({"joints-lost", counted(lost, "edge") +
@@ -161,15 +188,13 @@ class ReadStage : public Stage {
   void begin(JobState& state, TaskQueue&, Events& events) override {
     check_options(state.options);
     const PolygonSoup soup = read_upright(state);
-    state.file.clear();
-    state.file.shrink_to_fit();
     state.model = repair(soup);
     // At once, for what comes may take long, or fail.
     for (const auto& [code, count, text] : state.model.repairs) {
       events.push_back(Notice{code, text});
     }
     state.surface = make_surface(kModelSurface, simplified(state));
-    events.push_back(ModelEvent{state.surface});
+    events.push_back(ModelEvent{state.surface, state.result.file});
     check_panels_fit(state);
     if (state.start) {
       start_from_earlier(state);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/model_files.h"
 #include "pipeline/events.h"
 #include "pipeline/job_start.h"
 #include "pipeline/options.h"
@@ -68,8 +69,8 @@ Component make_component(const DualGraph& model, std::vector<int> panels);
 
 /// What the stages of a job hand on to each other.
 struct JobState {
-  std::vector<std::byte> file;
-  std::string file_name;
+  /// Once the model is read, only those that came along with it.
+  std::vector<ModelFile> files;
   JobOptions options;
   std::optional<JobStart> start;
 

@@ -87,8 +87,7 @@ TEST(Corpus, EveryPieceFoldsUp) {
     if (!name.ends_with("_300.obj")) continue;
     SCOPED_TRACE(name);
     const std::string text = bytes_of(path);
-    const auto bytes = std::as_bytes(std::span(text));
-    Job job({bytes.begin(), bytes.end()}, name, {.parts = 8, .runs = 100});
+    Job job({{name, to_bytes(text)}}, {.parts = 8, .runs = 100});
     Events events;
     while (!job.finished()) events = job.step(1000000);
     ASSERT_TRUE(std::holds_alternative<DoneEvent>(events.back()));

@@ -24,8 +24,10 @@ function poolFor(script: Script, size = 1) {
   return poolOf(size, (listener) => localPort(engineOf(script), listener));
 }
 
-function run(pool: Pool, options: Parameters<typeof runJob>[4] = {}) {
-  return runJob(pool, new Uint8Array(3), 'model.obj', defaultOptions, options);
+const files = [{ name: 'model.obj', bytes: new Uint8Array(3) }];
+
+function run(pool: Pool, options: Parameters<typeof runJob>[3] = {}) {
+  return runJob(pool, files, defaultOptions, options);
 }
 
 describe('runJob', () => {
@@ -34,6 +36,24 @@ describe('runJob', () => {
     const result = await run(pool);
     expect(result.parts).toBe(1);
     expect(result.seconds.total).toBeGreaterThanOrEqual(result.seconds.search);
+  });
+
+  it('hands all files to the conductor, once, and leaves them to the asker', async () => {
+    const several = [...files, { name: 'model.mtl', bytes: new Uint8Array(5) }];
+    const engine = engineOf({ steps: [done] });
+    const createJob = vi.spyOn(engine, 'createJob');
+    const moved: ArrayBuffer[][] = [];
+    const { pool } = poolOf(2, (listener) => {
+      const port = localPort(engine, listener);
+      const post: typeof port.post = (request, transfer) => {
+        if (request.type === 'run') moved.push(transfer);
+        port.post(request, transfer);
+      };
+      return { ...port, post };
+    });
+    await runJob(pool, several, defaultOptions);
+    expect(createJob.mock.calls).toEqual([[several, defaultOptions, null]]);
+    expect(moved).toEqual([[]]);
   });
 
   it('rejects with the code and sentence of an error', async () => {

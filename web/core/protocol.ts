@@ -6,6 +6,7 @@
  * thread, tasks and surfaces by the job.
  */
 import type { JobEvent, JobOptions, JobStart } from '../model/job.js';
+import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** A task and all that is needed to run it, anywhere, to the same result. */
@@ -33,15 +34,13 @@ export interface TaskReport {
 
 /**
  * To a worker without a job: conduct one. Answered by `events`, of which the last is `done` or
- * `error`, and meanwhile by `help` and `task`. The bytes are copied, so that the asker can run the
- * same file again.
+ * `error`, and meanwhile by `help` and `task`. The files' bytes are copied, so that the asker can run
+ * the same ones again.
  */
 export interface RunRequest {
   type: 'run';
   job: number;
-  bytes: Uint8Array;
-  /** Its ending tells the format where the bytes do not. */
-  fileName: string;
+  files: ModelFiles;
   options: JobOptions;
   /** The earlier result that the job changes, if it does. */
   start: JobStart | null;

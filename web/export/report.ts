@@ -38,7 +38,13 @@ export interface Report {
   seed: number;
   options: Record<string, unknown>;
   files: string[];
-  model: { faces: number; vertices: number; components: number; repairs: Repair[] };
+  model: {
+    faces: number;
+    vertices: number;
+    components: number;
+    repairs: Repair[];
+    simplified_deviation_mm: number;
+  };
   parts_requested: number | 'auto';
   parts: number;
   pieces: PieceReport[];
@@ -84,6 +90,7 @@ export function makeReport(input: ReportInput): Report {
       vertices: model.vertices.length / 3,
       components: model.components,
       repairs: result.repairs,
+      simplified_deviation_mm: result.deviation,
     },
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
     parts: result.parts,
