@@ -19,6 +19,7 @@ using foldwright::bytes_from;
 using foldwright::to_array;
 
 EMSCRIPTEN_DECLARE_VAL_TYPE(BytesValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(FilesValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(OptionsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(StartValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
@@ -29,6 +30,17 @@ EventsValue to_values(const foldwright::Events& events) {
   val array = val::array();
   for (const auto& event : events) array.call<void>("push", foldwright::to_value(event));
   return EventsValue(array);
+}
+
+/// Each file's bytes are copied once, into the engine's memory.
+std::vector<foldwright::ModelFile> files_from(const FilesValue& files) {
+  std::vector<foldwright::ModelFile> found(files["length"].as<std::size_t>());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const val file = files[i];
+    found[i].name = file["name"].as<std::string>();
+    found[i].bytes = bytes_from(file["bytes"]);
+  }
+  return found;
 }
 
 /// A surface that tasks run on.
@@ -46,13 +58,11 @@ class SurfaceHandle {
 /// A job behind a boundary that no exception crosses: what goes wrong becomes its one event.
 class JobHandle {
  public:
-  JobHandle(const BytesValue& bytes, const std::string& file_name, const OptionsValue& options,
-            const StartValue& start) {
+  JobHandle(const FilesValue& files, const OptionsValue& options, const StartValue& start) {
     try {
       std::optional<foldwright::JobStart> from;
       if (!start.isNull()) from = foldwright::start_from(start);
-      job_.emplace(bytes_from(bytes), file_name, foldwright::options_from(options),
-                   std::move(from));
+      job_.emplace(files_from(files), foldwright::options_from(options), std::move(from));
     } catch (const std::bad_alloc&) {
       failure_ = {{"out-of-memory", {{"what", "file"}}}};
     } catch (const std::exception& error) {
@@ -121,9 +131,9 @@ class TaskHandle {
   foldwright::TaskRunner runner_;
 };
 
-JobHandle* create_job(const BytesValue& bytes, const std::string& file_name,
-                      const OptionsValue& options, const StartValue& start) {
-  return new JobHandle(bytes, file_name, options, start);
+JobHandle* create_job(const FilesValue& files, const OptionsValue& options,
+                      const StartValue& start) {
+  return new JobHandle(files, options, start);
 }
 
 SurfaceHandle* create_surface(const BytesValue& bytes) {
@@ -148,6 +158,7 @@ TaskHandle* create_task(const SurfaceHandle& surface, const BytesValue& task) {
 EMSCRIPTEN_BINDINGS(foldwright) {
   using emscripten::allow_raw_pointers;
   emscripten::register_type<BytesValue>("Uint8Array");
+  emscripten::register_type<FilesValue>("import('../../model/model-files.js').ModelFiles");
   emscripten::register_type<OptionsValue>("import('../../model/job.js').JobOptions");
   emscripten::register_type<StartValue>("import('../../model/job.js').JobStart | null");
   emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");

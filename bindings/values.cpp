@@ -291,7 +291,9 @@ val result_value(const JobResult& result) {
   search.set("generations", result.generations);
   search.set("moves", static_cast<double>(result.moves));
   val object = val::object();
+  object.set("file", result.file);
   object.set("model", model_value(result));
+  object.set("deviation", result.sheets.scale * result.simplified_deviation);
   object.set("repairs", list(result.repairs, repair_value));
   object.set("segmentation", ints(result.segmentation));
   object.set("labels", ints(result.labels));
@@ -355,6 +357,7 @@ struct EventValue {
     val object = typed("model");
     object.set("vertices", copied("Float32Array", vertices));
     object.set("faces", ints(flat(mesh.faces)));
+    object.set("file", event.file);
     return object;
   }
   val operator()(const LearnedEvent& event) const {

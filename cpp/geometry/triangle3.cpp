@@ -53,6 +53,14 @@ Vec3 closest_point(const Triangle3& t, const Vec3& p) {
   return best;
 }
 
+Vec3 barycentric(const Triangle3& t, const Vec3& p) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double area2 = normal.squaredNorm();
+  const double at_1 = normal.dot((p - t[0]).cross(t[2] - t[0])) / area2;
+  const double at_2 = normal.dot((t[1] - t[0]).cross(p - t[0])) / area2;
+  return {1 - at_1 - at_2, at_1, at_2};
+}
+
 Triangle3 moved(const RigidMotion3& motion, const Triangle2& t) {
   const Eigen::Matrix3d r = motion.r.toRotationMatrix();
   const auto place = [&](const Vec2& p) -> Vec3 {

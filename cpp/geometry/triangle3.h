@@ -20,6 +20,9 @@ Triangle3 moved(const RigidMotion3& motion, const Triangle3& t);
 /// The point of a triangle that is nearest to `p`.
 Vec3 closest_point(const Triangle3& t, const Vec3& p);
 
+/// Shares of the corners in a point of a triangle's plane; they add up to 1. \pre it has an area
+Vec3 barycentric(const Triangle3& t, const Vec3& p);
+
 /// Each side moved inwards by `depth`: scaled about the incentre by 1 - depth / r, r the inradius,
 /// but by no less than `least`.
 Triangle2 eroded(const Triangle2& t, double depth, double least);

@@ -132,8 +132,9 @@ class CrackFinder {
   }
 };
 
-/// Moves vertices that are to be one to the middle and lets the lowest stand for all.
-void join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
+/// Moves vertices that are to be one to the middle and lets the lowest stand for all. Returns how
+/// far the vertex that moved furthest did.
+double join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
   UnionFind joined(static_cast<int>(soup.positions.size()));
   for (const Facing& crack : cracks) {
     joined.join(crack.vertex, crack.other);
@@ -143,6 +144,7 @@ void join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
     if (joined.find(v) != v) groups[joined.find(v)].push_back(v);
   }
   soup.errors.resize(soup.positions.size(), 0);
+  double furthest = 0;
   for (const auto& [lowest, others] : groups) {
     Vec3 sum = soup.positions[lowest];
     for (const int v : others) sum += soup.positions[v];
@@ -151,10 +153,12 @@ void join_vertices(TriangleSoup& soup, const std::vector<Facing>& cracks) {
     for (const int v : others) moved = std::max(moved, (middle - soup.positions[v]).norm());
     soup.positions[lowest] = middle;
     soup.errors[lowest] += moved;
+    furthest = std::max(furthest, moved);
   }
   for (auto& face : soup.faces) {
     for (int& v : face) v = joined.find(v);
   }
+  return furthest;
 }
 
 }  // namespace
@@ -166,8 +170,10 @@ ClosedCracks close_cracks(TriangleSoup& soup, double widest) {
   ClosedCracks closed;
   const std::vector<Facing> cracks = CrackFinder(soup, widest).find();
   for (const Facing& crack : cracks) closed.width = std::max(closed.width, crack.distance);
-  join_vertices(soup, cracks);
-  closed.width = std::max(closed.width, close_t_junctions(soup, reaches_of(soup, widest)).width);
+  const double joined = join_vertices(soup, cracks);
+  const ClosedCracks junctions = close_t_junctions(soup, reaches_of(soup, widest));
+  closed.width = std::max(closed.width, junctions.width);
+  closed.moved = joined + junctions.moved;
   closed.edges = std::max(0, before - borders());
   return closed;
 }

@@ -11,10 +11,12 @@ void keep_only(TriangleSoup& soup, const std::vector<char>& keep) {
     if (!keep[f]) continue;
     soup.faces[kept] = soup.faces[f];
     soup.source_faces[kept] = soup.source_faces[f];
+    if (!soup.origins.empty()) soup.origins[kept] = soup.origins[f];
     ++kept;
   }
   soup.faces.resize(kept);
   soup.source_faces.resize(kept);
+  if (!soup.origins.empty()) soup.origins.resize(kept);
 }
 
 void drop_degenerate(TriangleSoup& soup, double smallest_area) {

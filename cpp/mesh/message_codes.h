@@ -19,7 +19,9 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "empty-file",
     "no-area",
     "no-faces",
+    "no-model",
     "not-finite",
+    "several-models",
     "too-many-corners",
     "truncated",
     "unknown-format",
@@ -76,6 +78,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "would-fall-apart",
     // What to know about a result.
     "faces-above-wish",
+    "files-ignored",
     "joints",
     "joints-lost",
     "large-model",

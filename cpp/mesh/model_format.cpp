@@ -124,6 +124,13 @@ std::optional<ModelFormat> format_of_contents(std::span<const std::byte> bytes) 
   return std::nullopt;
 }
 
+bool is_foreign_model(std::string_view format) {
+  constexpr std::string_view kModels[] = {"glb", "gltf", "fbx", "step",  "skp",
+                                          "3dm", "vrml", "vox", "draco", "dae",
+                                          "x3d", "amf",  "3mf", "3ds",   "git-lfs"};
+  return std::ranges::find(kModels, format) != std::end(kModels);
+}
+
 std::string_view foreign_format(std::span<const std::byte> bytes) {
   const std::string_view text = as_text(bytes);
   for (const auto& [begin, name] : kSignatures) {

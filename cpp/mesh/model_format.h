@@ -18,4 +18,7 @@ std::optional<ModelFormat> format_of_contents(std::span<const std::byte> bytes);
 /// contents are of no such format.
 std::string_view foreign_format(std::span<const std::byte> bytes);
 
+/// Whether such a word is that of a model, and not of a picture, a document or an archive.
+bool is_foreign_model(std::string_view format);
+
 }  // namespace foldwright

@@ -126,7 +126,9 @@ void turn_faces(TriangleSoup& soup, Partners& partners, const std::vector<char>&
   }
   partners = std::move(new_partners);
   for (int f = 0; f < soup.face_count(); ++f) {
-    if (turned[f]) std::swap(soup.faces[f][1], soup.faces[f][2]);
+    if (!turned[f]) continue;
+    std::swap(soup.faces[f][1], soup.faces[f][2]);
+    if (!soup.origins.empty()) std::swap(soup.origins[f][1], soup.origins[f][2]);
   }
 }
 

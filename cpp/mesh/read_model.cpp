@@ -64,6 +64,17 @@ void refuse_foreign(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+bool holds_model(std::span<const std::byte> bytes) {
+  if (has_size_of_binary_stl(bytes)) return true;
+  if (!foreign_format(bytes).empty()) return false;
+  std::string text;
+  return format_of_contents(to_utf8(bytes, text)).has_value();
+}
+
+bool is_named_as_model(std::string_view file_name) {
+  return entry_of_ending(ending_of(file_name)) != nullptr;
+}
+
 PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_name) {
   if (bytes.empty()) throw InputError("empty-file");
   std::string text;

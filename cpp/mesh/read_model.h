@@ -20,4 +20,10 @@ namespace foldwright {
 ///        coordinate that is not finite; the sentence names the line or the element.
 PolygonSoup read_model(std::span<const std::byte> bytes, std::string_view file_name);
 
+/// Whether the contents, in any encoding, are those of a format that is read.
+bool holds_model(std::span<const std::byte> bytes);
+
+/// Whether a file's name ends like that of a format that is read.
+bool is_named_as_model(std::string_view file_name);
+
 }  // namespace foldwright

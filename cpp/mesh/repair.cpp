@@ -38,6 +38,9 @@ struct Frame {
 
   double scaled(double length) const { return std::ldexp(length, -exponent); }
   double in_model_units(double length) const { return std::ldexp(length, exponent); }
+  Vec3 in_model_units(const Vec3& p) const {
+    return p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+  }
   Vec3 scaled(const Vec3& p) const {
     return (p - centre).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
   }
@@ -103,6 +106,7 @@ TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& u
     const int stands = standing_for[i];
     const double moved = (positions[i] - positions[stands]).norm();
     errors[stands] = std::max(errors[stands], moved);
+    model.largest_move = std::max(model.largest_move, frame.in_model_units(moved));
   }
   TriangleSoup triangles = triangulate_soup(soup, vertex_of, std::move(positions));
   triangles.errors = std::move(errors);
@@ -149,15 +153,16 @@ class FaceDropper {
 };
 
 /// Closes T-junctions of an edge's length, dropping what is left without an area.
-int close_junctions(TriangleSoup& triangles, double tolerance, FaceDropper& dropper) {
+ClosedCracks close_junctions(TriangleSoup& triangles, double tolerance, FaceDropper& dropper) {
   // Cutting a face at a crack may open another one; in practice the second pass finds none.
   constexpr int kMostPasses = 8;
-  int closed = 0;
+  ClosedCracks closed;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     dropper.drop(triangles);
-    const int closed_now = close_t_junctions(triangles, 2 * tolerance);
-    if (closed_now == 0) break;
-    closed += closed_now;
+    const ClosedCracks closed_now = close_t_junctions(triangles, 2 * tolerance);
+    if (closed_now.edges == 0) break;
+    closed.edges += closed_now.edges;
+    closed.moved += closed_now.moved;
   }
   return closed;
 }
@@ -167,11 +172,12 @@ void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions
                 RepairedModel& model) {
   const double tolerance = options.weld_tolerance * frame.diagonal;
   FaceDropper dropper(model.source_face_count, tolerance);
-  const int junctions = close_junctions(triangles, tolerance, dropper);
+  const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
   const ClosedCracks cracks = close_cracks(triangles, options.widest_crack * frame.diagonal);
   dropper.drop(triangles);
   dropper.report_to(model, triangles);
-  report(model, "closed-t-junctions", junctions);
+  model.largest_move += frame.in_model_units(junctions.moved + cracks.moved);
+  report(model, "closed-t-junctions", junctions.edges);
   report(model, "closed-cracks", cracks.edges, {{"width", frame.in_model_units(cracks.width)}});
   if (triangles.faces.empty()) throw InputError("no-area", {{"what", "faces"}});
 }
@@ -181,6 +187,7 @@ void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& m
   const Flattening flattening = flatten_planes(triangles, find_drawn_planes(triangles));
   std::vector<char> flattened(triangles.faces.size(), false);
   for (const int face : flattening.faces) flattened[face] = true;
+  model.largest_move += frame.in_model_units(flattening.distance);
   report(model, "flattened-faces", count_sources(triangles, model.source_face_count, &flattened),
          {{"distance", frame.in_model_units(flattening.distance)}});
 }
@@ -216,25 +223,27 @@ void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
 
 /// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
 /// origin.
-Mesh finished_mesh(TriangleSoup&& triangles, const Frame& frame) {
+void finish_mesh(TriangleSoup&& triangles, const Frame& frame, RepairedModel& model) {
   std::vector<int> corners;
   for (const auto& face : triangles.faces) corners.insert(corners.end(), face.begin(), face.end());
   const std::vector<int> used = used_vertices(corners, triangles.positions.size());
   Eigen::AlignedBox3d box;
   for (const int v : used) box.extend(triangles.positions[v]);
   const Vec3 centre = box.center();
+  model.centre = frame.centre + frame.in_model_units(centre);
   std::vector<int> new_index(triangles.positions.size(), -1);
   std::vector<Vec3> positions;
   for (const int v : used) {
     new_index[v] = static_cast<int>(positions.size());
-    const Vec3 centred = triangles.positions[v] - centre;
-    positions.push_back(centred.unaryExpr([&](double x) { return std::ldexp(x, frame.exponent); }));
+    positions.push_back(frame.in_model_units(Vec3(triangles.positions[v] - centre)));
   }
   for (auto& face : triangles.faces) {
     for (int& vertex : face) vertex = new_index[vertex];
   }
-  return make_mesh(std::move(positions), std::move(triangles.faces),
-                   std::move(triangles.source_faces));
+  model.origins = std::move(triangles.origins);
+  model.mesh = make_mesh(std::move(positions), std::move(triangles.faces),
+                         std::move(triangles.source_faces));
+  model.mesh.joints = find_joints(model.mesh);
 }
 
 /// Tells what the mesh is, where people may not know or may have meant something else.
@@ -266,9 +275,7 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   mend_faces(triangles, frame, options, model);
   make_manifold(triangles, model);
   flatten_faces(triangles, frame, model);
-  model.mesh = finished_mesh(std::move(triangles), frame);
-  model.mesh.joints = find_joints(model.mesh);
-
+  finish_mesh(std::move(triangles), frame, model);
   report_shape(model, options);
   return model;
 }

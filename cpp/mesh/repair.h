@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mesh/corner_origin.h"
 #include "mesh/mesh.h"
 #include "mesh/polygon_soup.h"
 
@@ -21,6 +22,13 @@ struct RepairedModel {
   Mesh mesh;
   std::vector<Repair> repairs;  ///< the reader's notes first, then one entry per kind of repair
   int source_face_count = 0;  ///< faces of the file as read; a dropped one is in no `source_faces`
+  /// Per face of the mesh: the places in the file that its corners come from. Where vertices were
+  /// moved, these are the places before.
+  std::vector<FaceOrigins> origins;
+  Vec3 centre = Vec3::Zero();  ///< where the mesh's origin lies in the coordinates of the polygons
+  /// No corner lies further from its place in the file than this, in model units, but for the shift
+  /// to the centre: what welding, closing cracks and flattening came to.
+  double largest_move = 0;
 };
 
 /// Turns polygons into an oriented manifold triangle mesh, and reports everything it changed.
@@ -31,7 +39,8 @@ struct RepairedModel {
 /// What was drawn flat is made flat as far as the file's precision explains that it is not
 /// (`find_drawn_planes`). Bodies that run through each other are told of, and stay as they are.
 /// Each component of an open surface keeps the winding that the majority of its area has in the
-/// file. The bounding box is centred at the origin. \throw InputError when no usable face is left
+/// file. The bounding box is centred at the origin. Whatever is done to a face, its corners know
+/// their places in the file. \throw InputError when no usable face is left
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 }  // namespace foldwright

@@ -103,13 +103,14 @@ ClosedCracks close_t_junctions(TriangleSoup& soup, std::span<const double> toler
     insertions.emplace(border[i], std::move(inserted));
   }
   insert_on_edges(soup, insertions);
+  closed.moved = closed.width;
   closed.edges = static_cast<int>(insertions.size());
   return closed;
 }
 
-int close_t_junctions(TriangleSoup& soup, double tolerance) {
+ClosedCracks close_t_junctions(TriangleSoup& soup, double tolerance) {
   const std::vector<double> tolerances(soup.positions.size(), tolerance);
-  return close_t_junctions(soup, tolerances).edges;
+  return close_t_junctions(soup, tolerances);
 }
 
 }  // namespace foldwright

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/vec.h"
+#include "mesh/corner_origin.h"
 
 namespace foldwright {
 
@@ -15,7 +16,10 @@ struct TriangleSoup {
   std::vector<int> source_faces;  ///< per face: index of the face it came from in the file as read
   /// Per vertex: how far each of its coordinates may be from what was meant. Vertices past its end
   /// are exact.
-  std::vector<double> errors;
+  std::vector<double> errors = {};
+  /// Per face: the places in the file that its corners come from, all of them means of the same
+  /// three corners of its source face. Empty for triangles that come from no file.
+  std::vector<FaceOrigins> origins = {};
 
   int face_count() const { return static_cast<int>(faces.size()); }
   double error(int vertex) const {

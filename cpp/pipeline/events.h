@@ -21,6 +21,7 @@ struct StageEvent {
 /// The repaired model in its own units, once it is read.
 struct ModelEvent {
   std::shared_ptr<const Surface> surface;
+  std::string file;  ///< that it was read from
 };
 /// A foldability matrix averaged down to at most 256 rows; bytes, 255 for 1.
 struct MatrixPicture {

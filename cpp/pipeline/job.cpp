@@ -32,10 +32,8 @@ Task TaskQueue::take() {
   return task;
 }
 
-Job::Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options,
-         std::optional<JobStart> start) {
-  state_.file = std::move(file);
-  state_.file_name = std::move(file_name);
+Job::Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start) {
+  state_.files = std::move(files);
   state_.options = options;
   state_.start = std::move(start);
   stages_.push_back(make_read_stage());

@@ -6,10 +6,10 @@
 
 namespace foldwright {
 
-/// From the bytes of a model file to nets on sheets: runs the stages in order and cuts their
+/// From a model's files to nets on sheets: runs the stages in order and cuts their
 /// parallel work into tasks.
 ///
-/// The same bytes, name, options and start give the same result, whoever runs the tasks, in
+/// The same files, options and start give the same result, whoever runs the tasks, in
 /// whatever order and slices. None of the functions throws: bad input and exhausted memory become
 /// an `ErrorEvent`. The last event of a job is `DoneEvent`, `CancelledEvent` or `ErrorEvent`; after
 /// it nothing more happens.
@@ -18,8 +18,8 @@ class Job {
   /// With a `start` the job changes an earlier result: it learns and searches only what the edits
   /// name, and all other parts keep their nets and motions, bit by bit. The options that decide the
   /// mesh must be those of the earlier job; `JobOptions::parts` is not read.
-  Job(std::vector<std::byte> file, std::string file_name, const JobOptions& options,
-      std::optional<JobStart> start = {});
+  /// Which of the files is the model, `find_model` says. \pre there is a file
+  Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start = {});
 
   /// Runs everything here: does about `work` microseconds' worth and tells what happened. A
   /// stage's own work (reading, an eigenvalue solve) is not sliced.

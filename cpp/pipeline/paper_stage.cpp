@@ -158,6 +158,8 @@ class PaperStage : public Stage {
   void end(JobState& state, Events& events) override {
     JobResult& result = state.result.emplace();
     result.labels = state.labels;
+    result.file = state.model_file;
+    result.simplified_deviation = state.simplified_deviation;
     result.segmentation = source_segmentation(state);
     result.pieces = std::move(pieces_);
     PaperDraft& draft = plan_->draft;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
 #include "mesh/joints.h"
 #include "mesh/nearest_face.h"
@@ -37,9 +38,27 @@ void tell_looks(const PolygonSoup& soup, JobState& state) {
   state.notices.push_back({"materials-ignored", {{"what", looks}}});
 }
 
-/// The file's model with y up. A guess is told where the model was turned for it.
+/// Tells which files came along that nothing is made of.
+void tell_ignored(JobState& state) {
+  if (state.files.empty()) return;
+  std::vector<std::string> names;
+  for (const ModelFile& file : state.files) names.push_back(file.name);
+  state.notices.push_back({"files-ignored", {{"files", names}}});
+}
+
+/// Reads the model among the files, frees it, and keeps the others.
+PolygonSoup read_files(JobState& state) {
+  const auto chosen = state.files.begin() + static_cast<std::ptrdiff_t>(find_model(state.files));
+  const ModelFile model = std::move(*chosen);
+  state.files.erase(chosen);
+  state.model_file = model.name;
+  return read_model(model.bytes, model.name);
+}
+
+/// The files' model with y up. A guess is told where the model was turned for it.
 PolygonSoup read_upright(JobState& state) {
-  PolygonSoup soup = read_model(state.file, state.file_name);
+  PolygonSoup soup = read_files(state);
+  tell_ignored(state);
   tell_looks(soup, state);
   const Axis up = up_of(soup, state.options.up);
   turn_up(soup.positions, up);
@@ -57,6 +76,8 @@ Mesh simplified(JobState& state) {
   if (wanted == 0 || mesh.face_count() <= wanted) return mesh;
   Mesh simple = simplify(mesh, {.target_faces = wanted});
   state.face_standins = nearest_faces(mesh, simple);
+  state.model.origins = carry_origins(mesh, state.model.origins, simple);
+  state.simplified_deviation = largest_deviation(mesh, simple);
   simple.joints = find_joints(simple);
   if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
     state.notices.push_back({"joints-lost", {{"count", lost}}});
@@ -151,13 +172,11 @@ class ReadStage : public Stage {
     state.names = state.options.names;
     state.pins = state.options.pins;
     const PolygonSoup soup = read_upright(state);
-    state.file.clear();
-    state.file.shrink_to_fit();
     state.model = repair(soup);
     // At once, for what comes may take long, or fail.
     for (const Repair& repair : state.model.repairs) events.push_back(message_of(repair));
     state.surface = make_surface(kModelSurface, simplified(state), locks_in_force(state));
-    events.push_back(ModelEvent{state.surface});
+    events.push_back(ModelEvent{state.surface, state.model_file});
     check_panels_fit(state);
     if (state.start) {
       start_from_earlier(state);

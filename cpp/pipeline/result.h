@@ -66,7 +66,10 @@ struct SavedNet {
 };
 
 struct JobResult {
-  Mesh mesh;  ///< repaired, simplified if asked for, model units
+  std::string file;  ///< name of the file that the model was read from
+  Mesh mesh;         ///< repaired, simplified if asked for, model units
+  /// How far simplifying moved the surface, in model units: see `largest_deviation`.
+  double simplified_deviation = 0;
   std::vector<Repair> repairs;
   std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
   std::vector<int> labels;        ///< per face of the mesh: its part

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/model_files.h"
 #include "pipeline/events.h"
 #include "pipeline/job_start.h"
 #include "pipeline/options.h"
@@ -68,12 +69,14 @@ Component make_component(const DualGraph& model, std::vector<int> panels);
 
 /// What the stages of a job hand on to each other.
 struct JobState {
-  std::vector<std::byte> file;
-  std::string file_name;
+  /// Once the model is read, only those that came along with it.
+  std::vector<ModelFile> files;
   JobOptions options;
   std::optional<JobStart> start;
 
-  RepairedModel model;  ///< the mesh moves on into `surface`
+  std::string model_file;           ///< name of the file that the model was read from
+  RepairedModel model;              ///< the mesh moves on into `surface`
+  double simplified_deviation = 0;  ///< see `JobResult`
   std::shared_ptr<const Surface> surface;
   /// Per face of the repaired model the face of `surface` that stands for it; empty when
   /// simplifying left it alone.

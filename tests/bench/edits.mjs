@@ -30,7 +30,12 @@ const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.
 async function measure(pool, path) {
   const bytes = readFileSync(path);
   const run = (start) =>
-    runJob(pool, bytes, basename(path), { ...defaultOptions, parts }, start && { start });
+    runJob(
+      pool,
+      [{ name: basename(path), bytes }],
+      { ...defaultOptions, parts },
+      start && { start },
+    );
   const whole = await run();
   const [splits, merges] = [[], []];
   let pieces = 0;

@@ -26,7 +26,10 @@ function model() {
 
 /** Seconds of learning, and the hash of the result. */
 async function learn(pool, bytes) {
-  const { seconds, hash } = await runJob(pool, bytes, 'model.obj', { ...defaultOptions, parts: 8 });
+  const { seconds, hash } = await runJob(pool, [{ name: 'model.obj', bytes }], {
+    ...defaultOptions,
+    parts: 8,
+  });
   return { seconds: seconds.learn, hash };
 }
 

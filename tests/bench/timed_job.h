@@ -23,7 +23,7 @@ struct TimedJob {
 /// Runs a job on the bytes of a model file, alone and on one thread.
 inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
                           const JobOptions& options) {
-  Job job(std::move(file), name, options);
+  Job job({{name, std::move(file)}}, options);
   TimedJob timed;
   StageId stage = StageId::kRead;
   while (!job.finished()) {

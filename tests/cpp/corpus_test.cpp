@@ -3,7 +3,10 @@
 #include "data_files.h"
 #include "folding.h"
 #include "job_runs.h"
+#include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
+#include "mesh/read_model.h"
+#include "mesh/simplify.h"
 #include "mesh_faults.h"
 #include "meshes.h"
 #include "pipeline/job.h"
@@ -13,6 +16,24 @@ namespace foldwright::testing {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Whether a model can be read and mended; then its corners know where they come from, also once
+/// it is simplified to a third.
+bool check_origins(const fs::path& path) {
+  SCOPED_TRACE(path.filename().string());
+  const std::string text = bytes_of(path);
+  try {
+    const PolygonSoup soup = read_model(std::as_bytes(std::span(text)), path.filename().string());
+    const RepairedModel model = repair(soup);
+    EXPECT_EQ(origin_fault_of(soup, model), "");
+    const Mesh simple = simplify(model.mesh, {.target_faces = model.mesh.face_count() / 3});
+    const auto carried = carry_origins(model.mesh, model.origins, simple);
+    EXPECT_EQ(origin_fault_of(soup, model, simple, carried), "");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 TEST(Corpus, HostileFilesAreRefusedInOneSentenceOrMended) {
   const std::vector<fs::path> files = files_below("nasty");
@@ -66,8 +87,7 @@ TEST(Corpus, EveryPieceFoldsUp) {
     if (!name.ends_with("_300.obj")) continue;
     SCOPED_TRACE(name);
     const std::string text = bytes_of(path);
-    const auto bytes = std::as_bytes(std::span(text));
-    Job job({bytes.begin(), bytes.end()}, name, {.parts = 8, .runs = 100});
+    Job job({{name, to_bytes(text)}}, {.parts = 8, .runs = 100});
     Events events;
     while (!job.finished()) events = job.step(1000000);
     ASSERT_TRUE(std::holds_alternative<DoneEvent>(events.back()));
@@ -81,6 +101,21 @@ TEST(Corpus, EveryPieceFoldsUp) {
       EXPECT_TRUE(colliding_times(result, graph, piece, 1000).empty());
     }
     ++count;
+  }
+  if (count == 0) GTEST_SKIP() << kNoSharedModels;
+}
+
+TEST(Corpus, CornersOfOwnModelsKnowWhereTheyComeFrom) {
+  for (const fs::path& path : corpus_files()) EXPECT_TRUE(check_origins(path)) << path;
+  int count = 0;
+  for (const auto& [file, outcome] : reproductions()) count += check_origins(file);
+  EXPECT_GT(count, 10);
+}
+
+TEST(Corpus, CornersOfSharedModelsKnowWhereTheyComeFrom) {
+  int count = 0;
+  for (const char* folder : {"cases", "nasty", "models"}) {
+    for (const fs::path& path : files_below(folder)) count += check_origins(path);
   }
   if (count == 0) GTEST_SKIP() << kNoSharedModels;
 }

@@ -14,7 +14,7 @@ CancelledEvent cancel_after(int wanted) {
   JobOptions options;
   options.parts = 6;
   options.runs = 30;
-  Job job(testing::to_bytes(testing::obj_of(testing::bumpy_sphere(300))), "hills.obj", options);
+  Job job({{"hills.obj", testing::to_bytes(testing::obj_of(testing::bumpy_sphere(300)))}}, options);
   int nets = 0;
   while (nets < wanted) {
     for (const Event& event : job.step(1000)) nets += std::holds_alternative<NetEvent>(event);

@@ -22,7 +22,7 @@ JobStart start_of(const JobResult& result, std::vector<PartEdit> edits) {
 
 Outcome run_from(const Mesh& mesh, JobStart start, const JobOptions& options = kFive,
                  std::int64_t slice = kSlice) {
-  return run_job(Job(to_bytes(obj_of(mesh)), "model.obj", options, std::move(start)), slice);
+  return run_job(Job({{"model.obj", to_bytes(obj_of(mesh))}}, options, std::move(start)), slice);
 }
 
 bool same_net(const SavedNet& a, const SavedNet& b) {
@@ -293,7 +293,7 @@ TEST(JobEdits, LearnLargePartsOnProxies) {
 TEST(JobEdits, KeepWhatIsThereWhenCancelled) {
   const Mesh mesh = torus(12, 9);
   const Outcome earlier = run(mesh, kFive);
-  Job job(to_bytes(obj_of(mesh)), "model.obj", kFive,
+  Job job({{"model.obj", to_bytes(obj_of(mesh))}}, kFive,
           start_of(*earlier.result, {{{largest_part(*earlier.result)}, 2}}));
   Outcome outcome;
   while (!job.finished() && outcome.all<NetEvent>().empty()) append(outcome, job.step(1));

@@ -86,7 +86,7 @@ TEST(JobFolding, FoldsTheShareOfAModelThatMeetsItselfThatDoesNot) {
 
 /// A job of one part whose host says of all nets of the whole model that they do not fold.
 Outcome run_without_motion(const Mesh& mesh, FoldingMode folding) {
-  Job job(to_bytes(obj_of(mesh)), "model.obj", {.parts = 1, .folding = folding, .runs = 20});
+  Job job({{"model.obj", to_bytes(obj_of(mesh))}}, {.parts = 1, .folding = folding, .runs = 20});
   const auto panels = static_cast<std::size_t>(build_dual_graph(mesh).panel_count());
   Outcome outcome;
   while (!job.finished()) {

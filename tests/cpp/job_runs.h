@@ -70,7 +70,7 @@ inline Outcome run_job(Job job, std::int64_t slice = kSlice) {
 
 inline Outcome run_file(const std::string& text, const std::string& name, const JobOptions& options,
                         std::int64_t slice = kSlice) {
-  return run_job(Job(to_bytes(text), name, options), slice);
+  return run_job(Job({{name, to_bytes(text)}}, options), slice);
 }
 
 inline Outcome run(const Mesh& mesh, const JobOptions& options = {}, std::int64_t slice = kSlice) {

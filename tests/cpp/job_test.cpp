@@ -20,7 +20,7 @@ namespace {
 
 /// A host that sends tasks over the wire, and takes results in the opposite order.
 Outcome run_elsewhere(const Mesh& mesh, const JobOptions& options) {
-  Job job(to_bytes(obj_of(mesh)), "model.obj", options);
+  Job job({{"model.obj", to_bytes(obj_of(mesh))}}, options);
   Outcome outcome;
   while (!job.finished()) {
     append(outcome, job.advance());
@@ -311,7 +311,7 @@ TEST(Job, LabelsTheFacesOfTheFile) {
 
 TEST(Job, SaysBeforeTheSearchWhatALargeModelCosts) {
   const auto tells = [](const JobOptions& options) {
-    Job job(to_bytes(obj_of(torus(200, 100))), "model.obj", options);  // 20,000 panels
+    Job job({{"model.obj", to_bytes(obj_of(torus(200, 100)))}}, options);  // 20,000 panels
     for (bool is_read = false; !is_read;) {
       for (const Event& event : job.step(kSlice)) {
         const auto* notice = std::get_if<Notice>(&event);

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "mesh/surface_tree.h"
 #include "meshes.h"
 
 namespace foldwright::testing {
@@ -75,6 +76,29 @@ std::string volume_fault(const Mesh& mesh) {
   return "";
 }
 
+/// What is wrong with an origin, whatever it is the origin of.
+std::string place_fault(const PolygonSoup& soup, const CornerOrigin& origin) {
+  if (origin.face < 0 || origin.face >= soup.face_count()) return "an origin is in no face";
+  const int count = soup.first_corner[origin.face + 1] - soup.first_corner[origin.face];
+  const auto& [a, b, c] = origin.corners;
+  if (a == b || b == c || c == a) return "an origin is between equal corners";
+  for (const int corner : origin.corners) {
+    if (corner < 0 || corner >= count) return "an origin is between corners that do not exist";
+  }
+  if (origin.weights.minCoeff() < 0) return "an origin is outside its corners";
+  if (std::abs(origin.weights.sum() - 1) > 1e-12) return "an origin's weights do not add up";
+  return "";
+}
+
+/// How far the file's own coordinates may be rounded by the sums of this test and of the repair.
+double rounding(const PolygonSoup& soup) {
+  double largest = 0;
+  for (const int v : soup.corners) {
+    largest = std::max(largest, soup.positions[v].cwiseAbs().maxCoeff());
+  }
+  return 1e-14 * largest;
+}
+
 }  // namespace
 
 std::string fault_of(const Mesh& mesh) {
@@ -109,6 +133,38 @@ std::string bookkeeping_fault_of(const RepairedModel& model) {
   }
   const int accounted = static_cast<int>(present.size()) + dropped;
   return accounted == model.source_face_count ? "" : "source faces are unaccounted for";
+}
+
+std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model) {
+  for (int f = 0; f < model.mesh.face_count(); ++f) {
+    for (const CornerOrigin& origin : model.origins[f]) {
+      if (origin.face != model.mesh.source_faces[f]) return "an origin is in another face";
+    }
+  }
+  return origin_fault_of(soup, model, model.mesh, model.origins);
+}
+
+std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model, const Mesh& simple,
+                            const std::vector<FaceOrigins>& origins) {
+  if (origins.size() != simple.faces.size()) return "the origins are not those of all faces";
+  const SurfaceTree surface(model.mesh);
+  const double tolerance = model.largest_move + rounding(soup);
+  for (int f = 0; f < simple.face_count(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const CornerOrigin& origin = origins[f][i];
+      if (const std::string fault = place_fault(soup, origin); !fault.empty()) return fault;
+      const Vec3& corner = simple.positions[simple.faces[f][i]];
+      const double off = (position_at(soup, origin) - model.centre - corner).norm();
+      if (off <= tolerance) continue;
+      const int nearest = surface.nearest(corner, 0);
+      const double distance = std::sqrt(surface.squared_distance(nearest, corner));
+      if (off > distance + tolerance) {
+        return "a corner is " + std::to_string(off) + " from where it comes from, not " +
+               std::to_string(distance + tolerance);
+      }
+    }
+  }
+  return "";
 }
 
 }  // namespace foldwright::testing

@@ -18,4 +18,14 @@ std::string fault_of(const Mesh& mesh);
 /// `source_faces` nor counted as dropped, a repair reported twice. Empty when nothing does.
 std::string bookkeeping_fault_of(const RepairedModel& model);
 
+/// What breaks the promises about the places in the file that corners come from: one that is no
+/// place in a polygon, or not in the face's own, or further from the corner than
+/// `RepairedModel::largest_move`. Empty when nothing does.
+std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model);
+
+/// The same after simplifying: the places of the corners of `simple` may be further from them by
+/// the distance of the corners from the model's surface.
+std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model, const Mesh& simple,
+                            const std::vector<FaceOrigins>& origins);
+
 }  // namespace foldwright::testing

@@ -28,7 +28,7 @@ JobStart start_of(const JobResult& result, std::vector<NetEdit> edits) {
 }
 
 Outcome run_from(const Mesh& mesh, JobStart start, const JobOptions& options = kOptions) {
-  return run_job(Job(to_bytes(obj_of(mesh)), "model.obj", options, std::move(start)), kSlice);
+  return run_job(Job({{"model.obj", to_bytes(obj_of(mesh))}}, options, std::move(start)), kSlice);
 }
 
 EdgeName name_of(const Mesh& mesh, int edge) {

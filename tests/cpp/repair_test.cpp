@@ -22,6 +22,7 @@ RepairedModel sound_repair(const PolygonSoup& soup) {
   RepairedModel model = repair(soup);
   EXPECT_EQ(fault_of(model.mesh), "");
   EXPECT_EQ(bookkeeping_fault_of(model), "");
+  EXPECT_EQ(origin_fault_of(soup, model), "");
   return model;
 }
 

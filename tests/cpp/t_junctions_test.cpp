@@ -21,11 +21,11 @@ TEST(TJunctions, CutsALongEdgeAtTheShortOnesFacingIt) {
   TriangleSoup soup{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
                     {{0, 1, 2}, {3, 0, 4}, {1, 3, 4}},
                     {7, 8, 9}};
-  EXPECT_EQ(close_t_junctions(soup, kTolerance), 1);
+  EXPECT_EQ(close_t_junctions(soup, kTolerance).edges, 1);
   EXPECT_EQ(soup.face_count(), 4);
   EXPECT_EQ(soup.source_faces, (std::vector<int>{7, 8, 9, 7}));
   EXPECT_EQ(borders(soup), 4);
-  EXPECT_EQ(close_t_junctions(soup, kTolerance), 0);
+  EXPECT_EQ(close_t_junctions(soup, kTolerance).edges, 0);
 }
 
 TEST(TJunctions, CutsBothEdgesThatOverlapPartly) {
@@ -33,7 +33,7 @@ TEST(TJunctions, CutsBothEdgesThatOverlapPartly) {
   TriangleSoup soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1, 1, 0}, {2, -1, 0}},
                     {{0, 1, 4}, {3, 2, 5}},
                     {0, 1}};
-  EXPECT_EQ(close_t_junctions(soup, kTolerance), 2);
+  EXPECT_EQ(close_t_junctions(soup, kTolerance).edges, 2);
   EXPECT_EQ(borders(soup), 6);
 }
 
@@ -42,7 +42,7 @@ TEST(TJunctions, LeavesSheetsThatMerelyTouch) {
   TriangleSoup soup{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, -1, 0}, {2, -1, 0}},
                     {{0, 1, 2}, {3, 4, 5}},
                     {0, 1}};
-  EXPECT_EQ(close_t_junctions(soup, kTolerance), 0);
+  EXPECT_EQ(close_t_junctions(soup, kTolerance).edges, 0);
 }
 
 TEST(TJunctions, CutsAllThreeEdgesOfAFace) {
@@ -58,7 +58,7 @@ TEST(TJunctions, CutsAllThreeEdgesOfAFace) {
                      {-2, 2, 0}},
                     {{0, 1, 2}, {3, 0, 6}, {1, 3, 6}, {4, 1, 7}, {2, 4, 7}, {5, 2, 8}, {0, 5, 8}},
                     {0, 1, 2, 3, 4, 5, 6}};
-  EXPECT_EQ(close_t_junctions(soup, kTolerance), 3);
+  EXPECT_EQ(close_t_junctions(soup, kTolerance).edges, 3);
   EXPECT_EQ(soup.face_count(), 10);
   EXPECT_EQ(borders(soup), 6);
 }

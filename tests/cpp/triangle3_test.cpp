@@ -258,6 +258,25 @@ TEST(ClosestPoint, IsOnTheSegmentOrPointThatATriangleHasShrunkTo) {
   EXPECT_EQ(closest_point({b, b, b}, p), b);
 }
 
+TEST(Barycentric, SharesAddUpToThePoint) {
+  Random random(10);
+  for (int i = 0; i < 300; ++i) {
+    const Triangle3 t = random_triangle(random);
+    const Vec3 p = closest_point(t, 2 * random_point(random) - Vec3(0.5, 0.5, 0.5));
+    const Vec3 shares = barycentric(t, p);
+    EXPECT_NEAR(shares.sum(), 1, 1e-12);
+    EXPECT_GE(shares.minCoeff(), -1e-9);
+    EXPECT_LT((shares[0] * t[0] + shares[1] * t[1] + shares[2] * t[2] - p).norm(), 1e-9);
+  }
+}
+
+TEST(Barycentric, ShareOfACornerIsTheWhole) {
+  const Triangle3 t = {Vec3(1, 2, 3), Vec3(4, 0, 1), Vec3(-1, 5, 2)};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LT((barycentric(t, t[i]) - Vec3::Unit(i)).norm(), 1e-15);
+  }
+}
+
 TEST(Moved, PutsATriangleOfThePlaneInSpace) {
   Random random(8);
   for (int i = 0; i < 100; ++i) {

@@ -67,7 +67,7 @@ test('a run that fails after a result leaves all of that result', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
-test('an empty file, several files and a strange file are refused', () =>
+test('an empty file, two models and a strange file are refused', () =>
   withStudio(async (studio) => {
     const { page } = studio;
     const isRefused = async (): Promise<void> => {
@@ -79,7 +79,7 @@ test('an empty file, several files and a strange file are refused', () =>
     await isRefused();
     const [one, two] = ['one.obj', 'two.obj'].map((name) => ({ name, content: 'v 0 0 0\n' }));
     await studio.drop([one!, two!]);
-    await page.getByText('Those were 2 files').waitFor();
+    await page.getByText("two models among the files: 'one.obj' and 'two.obj'").waitFor();
     await isRefused();
     await studio.choose('letter.docx', 'Dear Sir or Madam');
     await page.getByText('“letter.docx” could not be unfolded').waitFor();

@@ -101,6 +101,26 @@ export class StudioPage {
     await this.page.setInputFiles('#file', { name, mimeType: 'application/octet-stream', buffer });
   }
 
+  /** Chooses several files at once, as with the file picker. */
+  async chooseTogether(files: { name: string; content: string }[]): Promise<void> {
+    const mimeType = 'application/octet-stream';
+    const payloads = files.map(({ name, content }) => {
+      return { name, mimeType, buffer: Buffer.from(content) };
+    });
+    await this.page.setInputFiles('#file', payloads);
+  }
+
+  /** Drops a folder of this device on the page. */
+  async dropFolder(path: string): Promise<void> {
+    const devtools = await this.context.newCDPSession(this.page);
+    const data = { items: [], files: [path], dragOperationsMask: 1 };
+    const where = { x: 300, y: 300 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+      await devtools.send('Input.dispatchDragEvent', { type, ...where, data });
+    }
+    await devtools.detach();
+  }
+
   /** Drops files on the page, as from a file manager. */
   async drop(files: { name: string; content: string }[]): Promise<void> {
     await this.page.evaluate((dropped) => {

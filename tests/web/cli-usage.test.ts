@@ -115,8 +115,12 @@ describe.skipIf(!isBuilt)('the command line', () => {
     await inFolder(async (folder) => {
       const empty = join(folder, 'empty.obj');
       writeFileSync(empty, '');
+      const hidden = join(folder, 'hidden');
+      mkdirSync(hidden);
+      writeFileSync(join(hidden, '.model.obj'), 'v 0 0 0');
       const cases = [
-        [folder, 'is a directory, not a model'],
+        [hidden, 'there is no file in the folder'],
+        [folder, 'the file is empty'],
         [empty, 'the file is empty'],
         [join(folder, 'none.obj'), 'there is no such file'],
         [join(empty, 'none.obj'), 'there is no such file'],

@@ -24,8 +24,10 @@ function poolFor(script: Script, size = 1) {
   return poolOf(size, (listener) => localPort(engineOf(script), listener));
 }
 
-function run(pool: Pool, options: Parameters<typeof runJob>[4] = {}) {
-  return runJob(pool, new Uint8Array(3), 'model.obj', defaultOptions, options);
+const files = [{ name: 'model.obj', bytes: new Uint8Array(3) }];
+
+function run(pool: Pool, options: Parameters<typeof runJob>[3] = {}) {
+  return runJob(pool, files, defaultOptions, options);
 }
 
 describe('runJob', () => {
@@ -36,17 +38,38 @@ describe('runJob', () => {
     expect(result.seconds.total).toBeGreaterThanOrEqual(result.seconds.search);
   });
 
+  it('hands all files to the conductor, once, and leaves them to the asker', async () => {
+    const several = [...files, { name: 'model.mtl', bytes: new Uint8Array(5) }];
+    const engine = engineOf({ steps: [done] });
+    const createJob = vi.spyOn(engine, 'createJob');
+    const moved: ArrayBuffer[][] = [];
+    const { pool } = poolOf(2, (listener) => {
+      const port = localPort(engine, listener);
+      const post: typeof port.post = (request, transfer) => {
+        if (request.type === 'run') moved.push(transfer);
+        port.post(request, transfer);
+      };
+      return { ...port, post };
+    });
+    await runJob(pool, several, defaultOptions);
+    expect(createJob.mock.calls).toEqual([[several, defaultOptions, null]]);
+    expect(moved).toEqual([[]]);
+  });
+
   it('rejects with the code and sentence of an error', async () => {
     const badIndex = { place: 'line', at: 3, what: 'beyond', index: 9, vertices: 8, first: 1 };
     const { pool } = poolFor({
       steps: [[{ type: 'error', code: 'bad-index', params: badIndex }]],
     });
-    await expect(run(pool)).rejects.toMatchObject({
+    const heard: TimedEvent[] = [];
+    const message = 'line 3: face refers to vertex 9, but the file has 8 vertices';
+    await expect(run(pool, { onEvent: (event) => heard.push(event) })).rejects.toMatchObject({
       name: 'JobError',
       code: 'bad-index',
       params: badIndex,
-      message: 'line 3: face refers to vertex 9, but the file has 8 vertices',
+      message,
     });
+    expect(heard.at(-1)).toMatchObject({ type: 'error', code: 'bad-index', text: message });
   });
 
   it('cancels a running job and keeps its workers', async () => {

@@ -26,7 +26,7 @@ function run(
   more: Partial<JobOptions> = {},
 ): Promise<TimedResult> {
   return withThreads(workers, (pool) =>
-    runJob(pool, bytes, 'ring.obj', { ...options, ...more }, runOptions),
+    runJob(pool, [{ name: 'ring.obj', bytes }], { ...options, ...more }, runOptions),
   );
 }
 

@@ -8,6 +8,6 @@ import { withThreads } from './thread-pool.js';
 export function engineResult(text: string, options: Partial<JobOptions> = {}): Promise<JobResult> {
   const bytes = new TextEncoder().encode(text);
   return withThreads(1, (pool) =>
-    runJob(pool, bytes, 'model.obj', { ...defaultOptions, ...options }),
+    runJob(pool, [{ name: 'model.obj', bytes }], { ...defaultOptions, ...options }),
   );
 }

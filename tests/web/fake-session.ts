@@ -33,6 +33,9 @@ function next(before: DocumentState, edits: readonly DocumentEdit[]): DocumentSt
 }
 
 export class FakeSession implements OpenModel {
+  /** @param file name of the file that turns out to be the model */
+  constructor(readonly file = 'ring.obj') {}
+
   private states: { state: DocumentState; edits: readonly DocumentEdit[] }[] = [];
   position = 0;
   /** Settles the present work; rejects it if there is an error. */
@@ -50,8 +53,10 @@ export class FakeSession implements OpenModel {
 
   async runWith(settings: Settings, work: RunWork = {}): Promise<Report> {
     await this.wait(work);
-    work.onEvent?.({ type: 'model' } as TimedEvent);
-    this.states = [{ state: stateOf(settings, 4), edits: [] }];
+    const { file } = this;
+    work.onEvent?.({ type: 'model', file } as TimedEvent);
+    const { wishes, result } = stateOf(settings, 4);
+    this.states = [{ state: { wishes, result: { ...result, file } }, edits: [] }];
     return {} as Report;
   }
 

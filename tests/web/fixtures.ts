@@ -197,7 +197,9 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     for (const source of piece.sources) labels[source] = i;
   });
   return {
+    file: 'model.obj',
     model,
+    deviation: 0,
     repairs: [],
     segmentation: labels.slice(),
     labels,

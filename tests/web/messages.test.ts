@@ -135,6 +135,23 @@ const examples: readonly [KnownMessage, string][] = [
     { code: 'bad-pin', params: { what: 'overlap', pieces: ['A', 'Wing'], sheet: 1 } },
     'pieces A and Wing are pinned on top of each other on sheet 1',
   ],
+  [{ code: 'files-ignored', params: { files: ['a.mtl'] } }, '1 other file was not needed: a.mtl'],
+  [
+    { code: 'files-ignored', params: { files: ['a.mtl', 'b.png', 'c.png', 'd.png', 'e.png'] } },
+    '5 other files were not needed: a.mtl, b.png, c.png and 2 more',
+  ],
+  [
+    { code: 'several-models', params: { count: 2, first: 'a.obj', second: 'parts/b.obj' } },
+    "there are two models among the files: 'a.obj' and 'parts/b.obj'; choose one of them",
+  ],
+  [
+    { code: 'no-model', params: { count: 2 } },
+    'none of the 2 files is a model that is read; OBJ, STL, OFF and PLY are',
+  ],
+  [
+    { code: 'unknown-format', params: { what: 'file', file: 'cube.glb', format: 'glb' } },
+    "'cube.glb' is a GLB (binary glTF) model, which is not read; OBJ, STL, OFF and PLY are",
+  ],
   [
     {
       code: 'face-too-large',

@@ -1,29 +1,49 @@
 import { describe, expect, it } from 'vitest';
-import { readModelFile } from '../../web/app/model-file.js';
+import { readModelFiles, type PickedFile } from '../../web/app/model-file.js';
+
+const picked = (content: string, path: string): PickedFile => ({
+  path,
+  file: new File([content], path),
+});
 
 /** A file that says that it has this size. */
-function fileOf(size: number): File {
-  return Object.defineProperty(new File(['solid'], 'big.stl'), 'size', { value: size });
+function fileOf(size: number): PickedFile {
+  const { path, file } = picked('solid', 'big.stl');
+  return { path, file: Object.defineProperty(file, 'size', { value: size }) };
 }
 
-describe('readModelFile', () => {
+describe('readModelFiles', () => {
   it('refuses a file that is too large, with both sizes, before it reads it', async () => {
     const words = '“big.stl” is too large: it has 513 MB, and 512 MB can be read';
-    await expect(readModelFile([fileOf(512 * 2 ** 20 + 1)])).rejects.toThrow(words);
-    const { name, bytes } = await readModelFile([fileOf(512 * 2 ** 20)]);
-    expect([name, bytes.length]).toEqual(['big.stl', 5]);
+    await expect(readModelFiles([fileOf(512 * 2 ** 20 + 1)])).rejects.toThrow(words);
+    const { name, files } = await readModelFiles([fileOf(512 * 2 ** 20)]);
+    expect([name, files[0]!.bytes.length]).toEqual(['big.stl', 5]);
+  });
+
+  it('refuses files that are too large together, or too many', async () => {
+    const halves = [fileOf(256 * 2 ** 20), fileOf(257 * 2 ** 20)];
+    await expect(readModelFiles(halves)).rejects.toThrow('it has 513 MB, and 512 MB can be read');
+    const many = Array.from({ length: 1001 }, (_, i) => picked('', `${i}.png`));
+    await expect(readModelFiles(many)).rejects.toThrow('it has more than 1000 files');
   });
 
   it('says what may be wrong with a file that cannot be read', async () => {
-    const file = new File(['v'], 'folder');
-    file.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
-    await expect(readModelFile([file])).rejects.toThrow('“folder” cannot be read: it is a folder');
+    const folder = picked('v', 'folder');
+    folder.file.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
+    const words = '“folder” cannot be read: it is a folder';
+    await expect(readModelFiles([folder])).rejects.toThrow(words);
+    await expect(readModelFiles([picked('v', 'a.obj'), folder])).rejects.toThrow(words);
   });
 
-  it('refuses none, several and an empty one', async () => {
-    const [file, empty] = [new File(['v'], 'a.obj'), new File([], 'b.obj')];
-    await expect(readModelFile([])).rejects.toThrow('That was no file');
-    await expect(readModelFile([file, file])).rejects.toThrow('Those were 2 files');
-    await expect(readModelFile([empty])).rejects.toThrow('“b.obj” is empty');
+  it('refuses none and an empty one', async () => {
+    await expect(readModelFiles([])).rejects.toThrow('That was no file');
+    await expect(readModelFiles([picked('', 'b.obj')])).rejects.toThrow('“b.obj” is empty');
+  });
+
+  it('keeps all files, and calls them as the model is called', async () => {
+    const names = ['skull.mtl', 'textures/bone.png', 'skull.OBJ', 'empty.txt'];
+    const chosen = await readModelFiles(names.map((name) => picked('v', name)));
+    expect(chosen.name).toBe('skull.OBJ');
+    expect(chosen.files.map(({ name }) => name)).toEqual(names);
   });
 });

@@ -24,7 +24,7 @@ function unfold(
   onEvent: Hear = () => undefined,
 ): Promise<TimedResult> {
   const all = { ...defaultOptions, parts: 8, ...options };
-  return runJob(pool, bytes, 'model.obj', all, { onEvent, pictures: true });
+  return runJob(pool, [{ name: 'model.obj', bytes }], all, { onEvent, pictures: true });
 }
 
 function unfoldWith(
@@ -110,7 +110,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       withThreads(2, async (pool) => {
         const control = new AbortController();
         const options = { ...defaultOptions, parts: 4 };
-        const run = runJob(pool, ring(12), 'model.obj', options, {
+        const run = runJob(pool, [{ name: 'model.obj', bytes: ring(12) }], options, {
           signal: control.signal,
           onEvent: (event) => {
             if (event.type === 'stage' && event.stage === stage) control.abort();
@@ -127,7 +127,7 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       let best: JobResult | undefined;
       // The genetic search takes its time over a ring, so that parts are left without a net.
       const options: JobOptions = { ...defaultOptions, parts: 8, solver: 'genetic' };
-      const run = runJob(pool, ring(14), 'model.obj', options, {
+      const run = runJob(pool, [{ name: 'model.obj', bytes: ring(14) }], options, {
         signal: control.signal,
         // However busy the machine is: the nets are what is looked at here.
         patience: 60_000,

@@ -6,6 +6,7 @@ import type { Applied, Session } from '../../web/api/session.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
+import type { ModelFile } from '../../web/model/model-files.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
@@ -73,6 +74,40 @@ function parseFoldOf(text: string): {
   const { model, nets } = parseFold(text);
   return { top: model.faces_vertices, nets };
 }
+
+describe.skipIf(!isEngineBuilt)('several files', () => {
+  const materials = { name: 'ring.mtl', bytes: new TextEncoder().encode('newmtl wood') };
+  const notes = { name: 'notes.obj', bytes: new TextEncoder().encode('Dear Sir or Madam') };
+  const figure = { name: 'models/figure.txt', bytes };
+
+  it('are one model and its companions, by their contents', () =>
+    withThreads(1, async (pool) => {
+      const session = await door(pool).open([materials, notes, figure], { pool });
+      expect(session.title).toBe('notes');
+      const report = await session.run(options);
+      expect(session.title).toBe('figure');
+      expect((await session.result()).file).toBe('models/figure.txt');
+      const [ignored] = report.notices.filter(({ code }) => code === 'files-ignored');
+      expect(ignored?.text).toContain('ring.mtl and notes.obj');
+      const alone = await door(pool).unfold(files, options, { pool });
+      expect(report.result_hash).toBe(alone.report.result_hash);
+      // Nothing was taken away: the same files can be run again.
+      expect(figure.bytes.length).toBe(bytes.length);
+    }));
+
+  it('are refused unless there is one model among them', () =>
+    withThreads(1, async (pool) => {
+      const run = (given: readonly ModelFile[]) => door(pool).unfold(given, options, { pool });
+      await expect(run([...files, figure])).rejects.toMatchObject({
+        code: 'several-models',
+        message: expect.stringContaining("'models/ring.obj' and 'models/figure.txt'") as string,
+      });
+      await expect(run([materials, { ...materials, name: 'b.mtl' }])).rejects.toMatchObject({
+        code: 'no-model',
+      });
+      await expect(run([])).rejects.toThrow('There is no file to open');
+    }));
+});
 
 describe.skipIf(!isEngineBuilt)('a session', () => {
   it('unfolds, and writes every format', () =>
@@ -255,12 +290,6 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
     await expect(session.run(options)).rejects.toThrow('no workers');
     expect(asked).toBe(1);
     session.close();
-  });
-
-  it('asks for one model', async () => {
-    const none = makeDoor({ startPool: () => null as never, loadFont: () => null as never });
-    await expect(none.open([])).rejects.toThrow('no model');
-    await expect(none.open([...files, ...files])).rejects.toThrow('two models');
   });
 
   it('refuses options that there are not', () =>

@@ -1,6 +1,6 @@
 /** The studio's state: commands, and what the page shows after them; without a page and an engine. */
 import { describe, expect, it, vi } from 'vitest';
-import { UnusableChoice, type ModelFile } from '../../web/app/model-file.js';
+import { UnusableChoice, type ChosenModel } from '../../web/app/model-file.js';
 import { Store, type Drawing } from '../../web/app/store.js';
 import { engineDied, JobError } from '../../web/core/job-error.js';
 import { defaultSettings } from '../../web/model/written-options.js';
@@ -8,7 +8,10 @@ import { FakeSession } from './fake-session.js';
 
 const settings = defaultSettings();
 const fields = new Map<string, string>();
-const file = (name: string): ModelFile => ({ name, bytes: new Uint8Array() });
+const file = (name: string): ChosenModel => ({
+  name,
+  files: [{ name, bytes: new Uint8Array() }],
+});
 const named = (part: number, text: string) => ({ kind: 'name', part, text }) as const;
 const split = { kind: 'split', part: 2, into: 2 } as const;
 
@@ -24,8 +27,8 @@ class Bench {
   readonly dropped = vi.fn();
   readonly life = new AbortController();
   readonly store = new Store({
-    open: () => {
-      this.sessions.push(new FakeSession());
+    open: (files) => {
+      this.sessions.push(new FakeSession(files[0]!.name));
       return Promise.resolve(this.session);
     },
     draw: () => this.drawing(),

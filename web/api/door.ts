@@ -4,10 +4,10 @@ import type { Pool } from '../core/pool.js';
 import type { ExportFormat, WrittenFile } from '../export/formats.js';
 import type { FontLoader } from '../export/font-loader.js';
 import type { Report } from '../export/report.js';
+import type { ModelFiles } from '../model/model-files.js';
 import type { Options } from '../model/written-options.js';
-import { chooseModel } from './model-files.js';
 import { Session, type Surroundings } from './session.js';
-import type { ModelFile, RunWork } from './work.js';
+import type { RunWork } from './work.js';
 
 export interface OpenOptions {
   /**
@@ -30,14 +30,13 @@ export interface Unfolded {
 }
 
 export interface Door {
-  /** Opens a model; rejects with `BadFiles` unless there is just one among the files. */
-  open: (files: readonly ModelFile[], options?: OpenOptions) => Promise<Session>;
+  /**
+   * Opens a model: its file, and those that belong to it. Which one it is, the contents say when it is first
+   * run, which rejects unless there is just one among them.
+   */
+  open: (files: ModelFiles, options?: OpenOptions) => Promise<Session>;
   /** Unfolds a model once; rejects as `open` and `Session.run` do. */
-  unfold: (
-    files: readonly ModelFile[],
-    options?: Options,
-    work?: RunWork & OpenOptions,
-  ) => Promise<Unfolded>;
+  unfold: (files: ModelFiles, options?: Options, work?: RunWork & OpenOptions) => Promise<Unfolded>;
 }
 
 /** What a door needs of where it stands. */
@@ -61,12 +60,12 @@ function owned(start: () => Pool): Workers {
 export function makeDoor({ startPool, loadFont }: DoorOptions): Door {
   // Asynchronous, so that reading files of several kinds can become work.
   const open = async (
-    files: readonly ModelFile[],
+    files: ModelFiles,
     { pool, loadFont: load = loadFont }: OpenOptions = {},
   ): Promise<Session> => {
-    const model = chooseModel(files);
+    if (files.length === 0) throw new TypeError('There is no file to open');
     const workers = pool ? lent(pool) : owned(startPool);
-    return Promise.resolve(new Session(model, { ...workers, loadFont: load }));
+    return Promise.resolve(new Session(files, { ...workers, loadFont: load }));
   };
   const unfold: Door['unfold'] = async (files, options = {}, work = {}) => {
     const session = await open(files, work);

@@ -7,9 +7,9 @@ export { exportFormats, type ExportFormat, type WrittenFile } from '../export/fo
 export type { Report } from '../export/report.js';
 export { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
 export type { JobResult } from '../model/job.js';
+export type { ModelFile, ModelFiles } from '../model/model-files.js';
 export { BadOption, type Options } from '../model/written-options.js';
 export type { Door, OpenOptions, Unfolded } from './door.js';
 export type { Refusal } from './edit-plan.js';
-export { BadFiles } from './model-files.js';
 export { Session, type Applied } from './session.js';
-export type { ModelFile, RunWork, WorkOptions } from './work.js';
+export type { RunWork, WorkOptions } from './work.js';

@@ -12,6 +12,7 @@ import { echo, type Settings } from '../model/options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { startFrom } from '../model/edits.js';
 import type { JobOptions, JobStart } from '../model/job.js';
+import { probableModel, type ModelFiles } from '../model/model-files.js';
 import { addSeconds } from '../model/stage-seconds.js';
 import { changedSettings, defaultSettings, type Options } from '../model/written-options.js';
 import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
@@ -24,7 +25,7 @@ import {
   type Refusal,
 } from './edit-plan.js';
 import { History } from './history.js';
-import type { ModelFile, RunWork, WorkOptions } from './work.js';
+import type { RunWork, WorkOptions } from './work.js';
 
 /** An edit that was made. */
 export interface Applied {
@@ -60,10 +61,12 @@ function netKeys({ nets }: TimedResult): string[] {
  */
 export class Session {
   private history: History | null = null;
+  /** Of the model, once it was read. */
+  private fileName: string | null = null;
   private lastWork: Promise<unknown> = Promise.resolve();
 
   constructor(
-    private readonly file: ModelFile,
+    private readonly files: ModelFiles,
     private readonly surroundings: Surroundings,
   ) {}
 
@@ -190,15 +193,17 @@ export class Session {
     this.surroundings.close?.();
   }
 
-  /** Name of the file without its ending. */
+  /** Name of the model's file without its ending; before the first run, by what the files are called. */
   get title(): string {
-    return this.file.name.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
+    const name = this.fileName ?? probableModel(this.files);
+    return name.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
     const wishes: Wishes = { settings, flapEdges: [], locks: [], names: [], pins: [] };
     const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
     const { result, isWhole } = await outcome(run, work);
+    this.fileName = result.file;
     const first: DocumentState = { wishes, result };
     // What an ended run has found depends on when it was ended: it cannot be computed again.
     const remake = async (_: unknown, more: WorkOptions): Promise<DocumentState> =>
@@ -265,9 +270,8 @@ export class Session {
     start: JobStart | null,
     work: WorkOptions,
   ): Promise<TimedResult> {
-    const { name, bytes } = this.file;
     const runOptions = { ...work, ...(start && { start }) };
-    return runJob(this.surroundings.pool(), bytes, name, options, runOptions);
+    return runJob(this.surroundings.pool(), this.files, options, runOptions);
   }
 
   private reportOf({ wishes, result }: DocumentState): Report {

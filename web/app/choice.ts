@@ -1,14 +1,14 @@
-import type { ModelFile } from './model-file.js';
+import type { ChosenModel } from './model-file.js';
 
 /** The model that the button unfolds. A file is chosen once the engine could read it, and not before. */
 export class Choice {
-  private readable: ModelFile | null = null;
+  private readable: ChosenModel | null = null;
   /** Not read yet. */
-  private candidate: ModelFile | null = null;
+  private candidate: ChosenModel | null = null;
   private isOpening = false;
 
   /** Null if there is none. */
-  get model(): ModelFile | null {
+  get model(): ChosenModel | null {
     return this.candidate ?? this.readable;
   }
 
@@ -18,7 +18,7 @@ export class Choice {
   }
 
   /** Takes a file that may be one. */
-  take(model: ModelFile): void {
+  take(model: ChosenModel): void {
     this.candidate = model;
   }
 
@@ -27,9 +27,9 @@ export class Choice {
     this.isOpening = this.candidate !== null;
   }
 
-  /** It is a model. */
-  accept(): void {
-    this.readable = this.model;
+  /** It is a model, of this file. */
+  accept(name: string): void {
+    this.readable = this.model && { ...this.model, name };
     this.drop();
   }
 

@@ -1,4 +1,6 @@
 import { isForField } from './dom.js';
+import { droppedFiles } from './dropped-files.js';
+import type { PickedFile } from './model-file.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -11,7 +13,7 @@ function isForStudio(event: DragEvent): boolean {
   return hasFiles(event) || !isForField(event);
 }
 
-/** Offers files chosen with the picker or dropped anywhere on the studio's ground. */
+/** Offers files chosen with the picker, and files and folders dropped anywhere on the studio's ground. */
 export class FilePicker extends Panel {
   private readonly input = this.find('#file', HTMLInputElement);
   private readonly veil = this.find('#drop-veil', HTMLElement);
@@ -20,14 +22,14 @@ export class FilePicker extends Panel {
 
   constructor(
     place: StudioPlace,
-    private readonly onFiles: (files: readonly File[]) => void,
+    private readonly onFiles: (files: Promise<readonly PickedFile[]>) => void,
   ) {
     super(place);
     this.input.addEventListener('change', () => {
-      const files = [...(this.input.files ?? [])];
+      const files = [...(this.input.files ?? [])].map((file) => ({ path: file.name, file }));
       // Forgotten at once, so that choosing the same file again counts as a choice.
       this.input.value = '';
-      if (files.length > 0) this.onFiles(files);
+      if (files.length > 0) this.onFiles(Promise.resolve(files));
     });
     this.listen('dragenter', (event) => this.enter(event, 1));
     this.listen('dragleave', (event) => this.enter(event, -1));
@@ -63,6 +65,6 @@ export class FilePicker extends Panel {
     if (!isForStudio(event)) return;
     event.preventDefault();
     this.takeKeyboard();
-    this.onFiles([...(event.dataTransfer?.files ?? [])]);
+    this.onFiles(event.dataTransfer ? droppedFiles(event.dataTransfer) : Promise.resolve([]));
   }
 }

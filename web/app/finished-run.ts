@@ -1,6 +1,6 @@
 import type { TimedResult } from '../core/client.js';
 import type { Settings } from '../model/options.js';
-import type { ModelFile } from './model-file.js';
+import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import type { RunPictures } from './run-pictures.js';
 
@@ -9,7 +9,7 @@ import type { RunPictures } from './run-pictures.js';
  * shows of a result comes from one of these.
  */
 export interface FinishedRun {
-  model: ModelFile;
+  model: ChosenModel;
   settings: Settings;
   /** The form as it was then. */
   fields: FieldValues;

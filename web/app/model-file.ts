@@ -1,21 +1,37 @@
-/** A model as it was chosen: its file's name and bytes. */
-export interface ModelFile {
+import {
+  FileLimits,
+  probableModel,
+  type ModelFile,
+  type ModelFiles,
+} from '../model/model-files.js';
+
+/** A model as it was chosen. */
+export interface ChosenModel {
+  /** Of its file; by the endings of names until the engine has read it. */
   name: string;
-  bytes: Uint8Array<ArrayBuffer>;
+  files: ModelFiles;
+}
+
+/** A file that was picked, and where it lay in the folder that was picked with it. */
+export interface PickedFile {
+  path: string;
+  file: File;
 }
 
 /** A choice that gives no model; the message is a sentence for the person who chose. */
 export class UnusableChoice extends Error {}
 
-/** MiB. The engine has 2 GiB of memory, and what it reads of a file takes up to three times its size. */
-const largest = 512;
-
-function checkSize({ name, size }: File): void {
-  if (size <= largest * 2 ** 20) return;
-  throw new UnusableChoice(
-    `“${name}” is too large: it has ${Math.ceil(size / 2 ** 20)} MB, and ${largest} MB can be read. ` +
-      'Save it with fewer faces, or in a binary format.',
-  );
+function checkSizes(picked: readonly PickedFile[]): void {
+  const limits = new FileLimits();
+  for (const { file } of picked) {
+    const excess = limits.add(file.size);
+    if (excess === null) continue;
+    throw new UnusableChoice(
+      picked.length === 1
+        ? `“${file.name}” is too large: it has ${excess}. Save it with fewer faces, or in a binary format.`
+        : `That is too much: it has ${excess}. Choose a model and what belongs to it.`,
+    );
+  }
 }
 
 /** The part of an address that names the file. */
@@ -41,7 +57,7 @@ export async function fetchModelFile(
   address: string,
   base: string,
   signal: AbortSignal,
-): Promise<ModelFile> {
+): Promise<ChosenModel> {
   const name = fileNameOf(address);
   let bytes: Blob;
   try {
@@ -51,30 +67,31 @@ export async function fetchModelFile(
   } catch {
     throw new UnusableChoice(`“${name}” cannot be loaded.`);
   }
-  return readModelFile([new File([bytes], name)]);
+  return readModelFiles([{ path: name, file: new File([bytes], name) }]);
+}
+
+async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
+  const bytes = await file.arrayBuffer().catch(() => {
+    throw new UnusableChoice(
+      `“${path}” cannot be read: it is a folder, or it was moved, or may not be opened.`,
+    );
+  });
+  return { name: path, bytes: new Uint8Array(bytes) };
 }
 
 /**
- * Reads the one file of a choice. Throws UnusableChoice for several files, and for one that is empty,
+ * Reads the files of a choice. Throws UnusableChoice for none, for a single one that is empty, and for what is
  * unreadable or too large.
  */
-export async function readModelFile(files: readonly File[]): Promise<ModelFile> {
-  const [file, ...others] = files;
-  if (!file) throw new UnusableChoice('That was no file. Choose an OBJ, STL, OFF or PLY file.');
-  if (others.length > 0) {
-    throw new UnusableChoice(
-      `Those were ${files.length} files. Foldwright unfolds one model at a time: ` +
-        'choose a single OBJ, STL, OFF or PLY file.',
-    );
+export async function readModelFiles(picked: readonly PickedFile[]): Promise<ChosenModel> {
+  if (picked.length === 0) {
+    throw new UnusableChoice('That was no file. Choose an OBJ, STL, OFF or PLY file.');
   }
-  checkSize(file);
-  const bytes = await file.arrayBuffer().catch(() => {
-    throw new UnusableChoice(
-      `“${file.name}” cannot be read: it is a folder, or it was moved, or may not be opened.`,
-    );
-  });
-  if (bytes.byteLength === 0) {
-    throw new UnusableChoice(`“${file.name}” is empty: there is nothing in it to unfold.`);
+  checkSizes(picked);
+  const files = await Promise.all(picked.map(readFile));
+  const name = probableModel(files);
+  if (files.every(({ bytes }) => bytes.length === 0)) {
+    throw new UnusableChoice(`“${name}” is empty: there is nothing in it to unfold.`);
   }
-  return { name: file.name, bytes: new Uint8Array(bytes) };
+  return { name, files };
 }

@@ -27,9 +27,9 @@ export interface DrawnRun {
   notices: Notice[];
 }
 
-/** The file's name without its ending. */
+/** The file's name without folders and its ending. */
 function stem(fileName: string): string {
-  return fileName.replace(/\.[^.]*$/, '') || 'model';
+  return fileName.replace(/^.*\//, '').replace(/\.[^.]*$/, '') || 'model';
 }
 
 function remarkList(title: string, remarks: string[]): HTMLElement[] {

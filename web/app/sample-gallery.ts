@@ -1,6 +1,6 @@
 import catalogAddress from '/samples/catalog.json?url';
 import { make } from './dom.js';
-import { UnusableChoice, type ModelFile } from './model-file.js';
+import { UnusableChoice, type ChosenModel } from './model-file.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -26,9 +26,10 @@ async function fetchSample(name: string): Promise<Response> {
   return response;
 }
 
-async function readSample({ file }: Sample): Promise<ModelFile> {
+async function readSample({ file }: Sample): Promise<ChosenModel> {
   const response = await fetchSample(file);
-  return { name: file, bytes: new Uint8Array(await response.arrayBuffer()) };
+  const bytes = new Uint8Array(await response.arrayBuffer());
+  return { name: file, files: [{ name: file, bytes }] };
 }
 
 /** The pictures of the samples; one press chooses a sample. */
@@ -37,7 +38,7 @@ export class SampleGallery extends Panel {
 
   constructor(
     place: StudioPlace,
-    private readonly onChoice: (model: Promise<ModelFile>) => void,
+    private readonly onChoice: (model: Promise<ChosenModel>) => void,
   ) {
     super(place);
   }

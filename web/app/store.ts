@@ -7,12 +7,13 @@ import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { isRenaming, renamed } from '../model/edits.js';
 import type { JobResult, PartName } from '../model/job.js';
+import type { ModelFiles } from '../model/model-files.js';
 import type { Settings } from '../model/options.js';
 import { Choice } from './choice.js';
 import { partsOf } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
-import type { ModelFile } from './model-file.js';
+import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import { never } from './place.js';
 import { RunPictures } from './run-pictures.js';
@@ -41,7 +42,7 @@ export interface Drawing {
 }
 
 export interface StoreNeeds {
-  open(model: ModelFile): Promise<OpenModel>;
+  open(files: ModelFiles): Promise<OpenModel>;
   /** Null if a later drawing was quicker; rejects if the sheets cannot be drawn. */
   draw(run: FinishedRun): Promise<Drawing | null>;
   /** Hears what goes on in the present work. */
@@ -76,7 +77,7 @@ interface Step {
 
 /** What a person asks of a run. */
 interface Asked {
-  model: ModelFile;
+  model: ChosenModel;
   settings: Settings;
   fields: FieldValues;
 }
@@ -170,7 +171,7 @@ export class Store {
   }
 
   /** Takes a model; false if a later choice was quicker. A choice that is no model rejects and changes nothing. */
-  async choose(coming: Promise<ModelFile>): Promise<boolean> {
+  async choose(coming: Promise<ChosenModel>): Promise<boolean> {
     const number = ++this.choices;
     const model = await coming;
     if (number !== this.choices) return false;
@@ -270,10 +271,16 @@ export class Store {
     // A whole result is worth more than a part of the next one.
     const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
     try {
-      const session = await this.needs.open(model);
+      const session = await this.needs.open(model.files);
       await session.runWith(settings, work);
       const { result } = await session.state();
-      const run: FinishedRun = { model, settings, fields, pictures, result };
+      const run: FinishedRun = {
+        model: { ...model, name: result.file },
+        settings,
+        fields,
+        pictures,
+        result,
+      };
       return await this.present(run, { session, isWhole });
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled' };
@@ -287,7 +294,7 @@ export class Store {
     this.needs.onEvent(event);
     if (signal.aborted) return;
     if (event.type === 'model' && this.isRunning) {
-      this.choice.accept();
+      this.choice.accept(event.file);
       this.presentScene = 'pictures';
       this.notify('choice', 'scene');
     }

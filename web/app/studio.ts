@@ -12,7 +12,7 @@ import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
-import { fetchModelFile, readModelFile, UnusableChoice, type ModelFile } from './model-file.js';
+import { fetchModelFile, readModelFiles, UnusableChoice, type ChosenModel } from './model-file.js';
 import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
@@ -123,7 +123,7 @@ export class Studio extends Panel {
       return;
     }
     this.isOpen = true;
-    new FilePicker(this.place, (files) => void this.choose(readModelFile(files)));
+    new FilePicker(this.place, (files) => void this.choose(files.then(readModelFiles)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
     // All is there now: while a model is being chosen there is time for what a run needs.
     setTimeout(() => this.prepare(), preparation);
@@ -142,7 +142,7 @@ export class Studio extends Panel {
   private makeStore(): Store {
     const { open } = makeDoor({ startPool: this.engine, loadFont });
     return new Store({
-      open: (model) => open([model], { pool: this.engine }),
+      open: (files) => open(files, { pool: this.engine }),
       draw: (run) => this.draw(run),
       follow: (event) => {
         this.progress.follow(event);
@@ -168,7 +168,7 @@ export class Studio extends Panel {
   }
 
   /** Takes a model and unfolds it. */
-  private async choose(coming: Promise<ModelFile>): Promise<void> {
+  private async choose(coming: Promise<ChosenModel>): Promise<void> {
     const isTaken = await this.store.choose(coming).catch((error: unknown) => this.explain(error));
     if (isTaken === true) await this.unfold();
   }
@@ -197,7 +197,7 @@ export class Studio extends Panel {
   }
 
   /** Says why nothing came out: the result before is back, or else the pictures of the run stay with a note. */
-  private leave(ending: Ending, { name }: ModelFile): void {
+  private leave(ending: Ending, { name }: ChosenModel): void {
     const { hasFocus } = this.progress;
     const { run } = this.store;
     if (run) this.comeBack(run);

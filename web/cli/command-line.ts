@@ -70,7 +70,7 @@ function addRows(program: Command): void {
 function describe(): Command {
   const program = new Command('foldwright')
     .description('Unfolds a 3D model into paper nets.')
-    .argument('<model>', 'OBJ, STL, OFF or PLY file')
+    .argument('<model>', 'OBJ, STL, OFF or PLY file, or a folder with one and what belongs to it')
     .option(
       '-o, --output <file>',
       'write a .fold, .svg, .pdf or .glb file; may be given several times',

@@ -1,7 +1,7 @@
 import type { JobError } from '../core/job-error.js';
 import { blamesOptions, engineDied } from '../core/job-error.js';
 import { Exit, exitStatus, usageError } from './exit.js';
-import { modelError } from './read-model-file.js';
+import { modelError } from './read-model-files.js';
 
 /** Codes of faults in the engine itself. */
 const internalCodes = ['internal', engineDied];

@@ -1,4 +1,4 @@
-import { basename, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import { version } from '../../package.json';
 import { open } from '../api/node.js';
 import type { Session } from '../api/session.js';
@@ -8,6 +8,7 @@ import { nodePool } from '../core/node-pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import type { ModelFiles } from '../model/model-files.js';
 import { leftOut } from '../model/left-out.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
@@ -16,7 +17,7 @@ import { exitOf } from './job-failure.js';
 import { echo, jobOptions } from '../model/options.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
 import { Progress } from './progress.js';
-import { readModelFile } from './read-model-file.js';
+import { readModelFiles } from './read-model-files.js';
 import { summarize } from './summary.js';
 import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
 
@@ -51,12 +52,12 @@ interface Outcome {
 /** Runs the job in workers, so that this thread hears signals at once. */
 async function runEngine(
   commands: Commands,
-  bytes: Uint8Array,
+  files: ModelFiles,
   progress: Progress | null,
 ): Promise<Outcome> {
   const { edits, model, settings } = commands;
   const pool = nodePool(settings.workers === 'auto' ? undefined : settings.workers);
-  const session = await open([{ name: basename(model), bytes }], { pool });
+  const session = await open(files, { pool });
   const onEvent = (event: TimedEvent): void => progress?.onEvent(event);
   // Nobody needs to know what is wrong with a result that is still to be changed.
   const onWorkEvent = (event: TimedEvent): void => {
@@ -104,8 +105,8 @@ async function run(args: string[]): Promise<void> {
   checkOutputs(commands);
   const progress = commands.quiet ? null : new Progress(process.stderr);
   commands.idle.forEach((text) => progress?.note(text));
-  const bytes = readModelFile(commands.model);
-  const { result, print } = await runEngine(commands, bytes, progress);
+  const model = readModelFiles(commands.model);
+  const { result, print } = await runEngine(commands, model, progress);
   const files = await renderOutputs(commands.outputs, result, print);
   files.push(...renderReport(commands, files, result, print));
   remarks(result, print).forEach((text) => progress?.note(text));

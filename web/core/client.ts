@@ -1,4 +1,5 @@
 import type { JobOptions, JobResult, JobStart } from '../model/job.js';
+import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { engineDied, JobError } from './job-error.js';
 import { JobRun } from './job-run.js';
@@ -16,7 +17,7 @@ export interface RunOptions {
   pictures?: boolean;
   /** How long an aborted run waits for the nets found so far, in ms; 100 unless given. */
   patience?: number;
-  /** Changes an earlier result of the same file instead of starting afresh. The options that decide
+  /** Changes an earlier result of the same files instead of starting afresh. The options that decide
    * the mesh must be those of that result; `parts` is not read. */
   start?: JobStart;
 }
@@ -26,10 +27,9 @@ export interface TimedResult extends JobResult {
   seconds: StageSeconds;
 }
 
-/** A model file's bytes and what to do with them. */
+/** A model's files and what to do with them. */
 interface Order {
-  bytes: Uint8Array;
-  fileName: string;
+  files: ModelFiles;
   options: JobOptions;
   start: JobStart | null;
 }
@@ -70,8 +70,8 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
 
 /**
  * Runs one job to its end with the pool's workers, after the jobs that were given to it before. The
- * ending of `fileName` tells the format where the bytes do not; they are copied. The result does not
- * depend on the number of workers, nor on whether some died.
+ * files' bytes are copied. The result does not depend on the number of workers, nor on whether some
+ * died.
  *
  * Rejects with a `JobError` when the job or its conducting worker fails, or a task that several
  * workers died over, and with the signal's reason within `patience` of an abort. None of that leaves
@@ -79,13 +79,12 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
  */
 export function runJob(
   pool: Pool,
-  bytes: Uint8Array,
-  fileName: string,
+  files: ModelFiles,
   options: JobOptions,
   runOptions: RunOptions = {},
 ): Promise<TimedResult> {
   return pool.inTurn(async () => {
     runOptions.signal?.throwIfAborted();
-    return runNow(pool, { bytes, fileName, options, start: runOptions.start ?? null }, runOptions);
+    return runNow(pool, { files, options, start: runOptions.start ?? null }, runOptions);
   });
 }

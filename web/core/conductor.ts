@@ -55,9 +55,9 @@ export class Conductor {
     private readonly host: WorkerHost,
     private readonly request: RunRequest,
   ) {
-    const { bytes, fileName, options, start } = request;
+    const { files, options, start } = request;
     // The declarations allow for no job because it crosses the boundary as a pointer.
-    this.job = engine.createJob(bytes, fileName, options, start)!;
+    this.job = engine.createJob(files, options, start)!;
     this.executor = new TaskExecutor(engine);
     this.throttle = new EventThrottle((events) => {
       host.post({ type: 'events', job: this.number, events }, buffersOf(events));

@@ -1,5 +1,6 @@
 import type { Pool, PoolListener } from './pool.js';
 import type { Answer, EventsAnswer, RunRequest, TimedEvent } from './protocol.js';
+import { phraseOf } from '../words/phrase.js';
 import { buffersOf } from './transfer.js';
 
 /** What a run tells whoever started it. */
@@ -20,6 +21,12 @@ export const defaultPatience = 80;
  * nets of the largest models on sheets in a hurry takes some seconds, and they took minutes to find.
  */
 const patienceForNets = 30_000;
+
+/** An event with its message in words. */
+function inWords(event: TimedEvent): TimedEvent {
+  const hasMessage = event.type === 'notice' || event.type === 'error';
+  return hasMessage ? { ...event, text: phraseOf(event) } : event;
+}
 
 /**
  * One job on its way through the workers of a pool, as the main thread sees it: passes messages on
@@ -147,7 +154,7 @@ export class JobRun implements PoolListener {
       // After the last event the conductor frees everything by itself.
       if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
       if (event.type === 'net') this.hasNets = true;
-      this.listener.onEvent(event);
+      this.listener.onEvent(inWords(event));
     }
   }
 

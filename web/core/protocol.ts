@@ -6,6 +6,7 @@
  * thread, tasks and surfaces by the job.
  */
 import type { JobEvent, JobOptions, JobStart } from '../model/job.js';
+import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 
 /** A task and all that is needed to run it, anywhere, to the same result. */
@@ -33,15 +34,13 @@ export interface TaskReport {
 
 /**
  * To a worker without a job: conduct one. Answered by `events`, of which the last is `done` or
- * `error`, and meanwhile by `help` and `task`. The bytes are copied, so that the asker can run the
- * same file again.
+ * `error`, and meanwhile by `help` and `task`. The files' bytes are copied, so that the asker can run
+ * the same ones again.
  */
 export interface RunRequest {
   type: 'run';
   job: number;
-  bytes: Uint8Array;
-  /** Its ending tells the format where the bytes do not. */
-  fileName: string;
+  files: ModelFiles;
   options: JobOptions;
   /** The earlier result that the job changes, if it does. */
   start: JobStart | null;
@@ -97,7 +96,9 @@ export type Request =
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
 export type TimedEvent =
-  | Exclude<JobEvent, { type: 'stage' | 'done' | 'cancelled' }>
+  | Exclude<JobEvent, { type: 'stage' | 'notice' | 'error' | 'done' | 'cancelled' }>
+  /** `text`: the message in words; there once the event has left the workers, which know no language. */
+  | (Extract<JobEvent, { type: 'notice' | 'error' }> & { text?: string })
   /** `seconds` since the job began. */
   | (Extract<JobEvent, { type: 'stage' }> & { seconds: number })
   | (Extract<JobEvent, { type: 'done' | 'cancelled' }> & { seconds: StageSeconds });

@@ -46,7 +46,13 @@ export interface Report {
   seed: number;
   options: Record<string, unknown>;
   files: string[];
-  model: { faces: number; vertices: number; components: number; repairs: (Repair & Told)[] };
+  model: {
+    faces: number;
+    vertices: number;
+    components: number;
+    repairs: (Repair & Told)[];
+    simplified_deviation_mm: number;
+  };
   parts_requested: number | 'auto';
   parts: number;
   pieces: PieceReport[];
@@ -94,6 +100,7 @@ export function makeReport(input: ReportInput): Report {
       vertices: model.vertices.length / 3,
       components: model.components,
       repairs: result.repairs.map((repair) => ({ ...repair, text: repairPhrase(repair) })),
+      simplified_deviation_mm: result.deviation,
     },
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
     parts: result.parts,

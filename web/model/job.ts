@@ -311,7 +311,11 @@ export interface Sheet {
 }
 
 export interface JobResult {
+  /** Name of the file that the model was read from. */
+  file: string;
   model: Model;
+  /** How far simplifying moved the surface, in mm: at most, of the vertices before and after; 0 if it did not. */
+  deviation: number;
   repairs: Repair[];
   /** Per face of the file as read: its part, -1 if dropped. */
   segmentation: Int32Array;
@@ -361,8 +365,8 @@ export interface NetPicture {
 /** What a job tells while it runs; `progress` is in [0, 1] over the whole job and never falls. */
 export type JobEvent =
   | { type: 'stage'; stage: Stage; progress: number }
-  /** The repaired model in its own units, once it is read. */
-  | { type: 'model'; vertices: Float32Array; faces: Int32Array }
+  /** The repaired model in its own units, once it is read; `file`: name of the one that it was in. */
+  | { type: 'model'; file: string; vertices: Float32Array; faces: Int32Array }
   | { type: 'learned'; runs: number; of: number; matrix?: MatrixPicture }
   | { type: 'segmented'; labels: Int32Array }
   | {

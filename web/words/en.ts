@@ -1,6 +1,6 @@
 /** The English table: a phrase for every message, which may be part of a line. */
 import type { Messages } from './messages.js';
-import { choose, count, figure, parts, pieces, rounded } from './numbers.js';
+import { all, choose, count, figure, parts, pieces, rounded } from './numbers.js';
 
 /** One function per code, from its parameters to a phrase. */
 export type Table = { readonly [Code in keyof Messages]: (params: Messages[Code]) => string };
@@ -159,6 +159,8 @@ function unknownFormat(params: Messages['unknown-format']): string {
       const format = formats[params.format] ?? params.format;
       return `the file is ${format}, which is not read; ${readFormats}`;
     }
+    case 'file':
+      return `'${params.file}' is ${formats[params.format] ?? params.format}, which is not read; ${readFormats}`;
     case 'ending':
       return `files that end in '.${params.ending}' are not read; ${readFormats}`;
     case 'nothing':
@@ -290,6 +292,16 @@ function locked(params: Messages['locked']): string {
   }
 }
 
+/** A sentence with more names is not read. */
+const mostNames = 3;
+
+function filesIgnored({ files }: Messages['files-ignored']): string {
+  const more = files.length - mostNames;
+  const named = more > 0 ? [...files.slice(0, mostNames), `${figure(more)} more`] : files;
+  const were = choose(files.length, 'was', 'were');
+  return `${count(files.length, 'other file')} ${were} not needed: ${all(named)}`;
+}
+
 function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {
   const time =
     seconds < 90 ? `${Math.round(seconds / 5) * 5} seconds` : `${Math.round(seconds / 60)} minutes`;
@@ -348,6 +360,12 @@ export const english: Table = {
     `face ${figure(face)} has ${figure(corners)} corners; up to ${figure(most)} are supported`,
   truncated,
   'unknown-format': unknownFormat,
+  'no-model': ({ count: number }) =>
+    `none of the ${figure(number)} files is a model that is read; ${readFormats}`,
+  'several-models': ({ count: number, first, second }) =>
+    number === 2
+      ? `there are two models among the files: '${first}' and '${second}'; choose one of them`
+      : `there are ${figure(number)} models among the files, among them '${first}' and '${second}'; choose one of them`,
 
   'closed-cracks': ({ count: number, width }) =>
     was(
@@ -439,6 +457,7 @@ export const english: Table = {
   'would-fall-apart': ({ what, part }) =>
     `without ${what === 'fold' ? 'this fold' : 'these faces'} part ${figure(part)} would fall apart`,
 
+  'files-ignored': filesIgnored,
   'faces-above-wish': ({ faces }) =>
     `simplifying stopped at ${figure(faces)} faces: fewer would break the surface`,
   joints: ({ what, count: number }) =>

@@ -31,6 +31,8 @@ export interface EngineMessages {
   'empty-file': None;
   'no-area': { what: 'point' | 'faces' };
   'no-faces': { what: 'nothing' | 'vertices' | 'surfaces' | 'model' };
+  'no-model': Counted;
+  'several-models': Counted & { first: string; second: string };
   'not-finite': { what: 'coordinate' | 'weight' } & At;
   'too-many-corners': { face: number; corners: number; most: number };
   truncated:
@@ -42,7 +44,10 @@ export interface EngineMessages {
     | ({ what: 'vertices' | 'faces'; done: number; announced: number } & At)
     | ({ what: 'header-only' } & Partial<At>);
   'unknown-format':
-    { what: 'contents'; format: string } | { what: 'ending'; ending: string } | { what: 'nothing' };
+    | { what: 'contents'; format: string }
+    | { what: 'file'; file: string; format: string }
+    | { what: 'ending'; ending: string }
+    | { what: 'nothing' };
 
   'closed-cracks': Counted & { width: number };
   'closed-t-junctions': Counted;
@@ -116,6 +121,7 @@ export interface EngineMessages {
   overlap: { what: 'pieces' | 'loop' };
   'would-fall-apart': { what: 'faces' | 'fold'; part: number };
 
+  'files-ignored': { files: string[] };
   'faces-above-wish': { faces: number };
   joints: Counted & { what: 'numbered' | 'bare' };
   'joints-lost': Counted;

@@ -29,6 +29,11 @@ export function choose(number: number, one: string, many: string): string {
 
 const and = new Intl.ListFormat('en-GB', { type: 'conjunction' });
 
+/** "a.mtl, b.png and c.png" */
+export function all(names: readonly string[]): string {
+  return and.format(names);
+}
+
 /** "part 3", "parts 1 and 2", "parts 1, 2 and 5" */
 export function parts(numbers: readonly number[]): string {
   return `${choose(numbers.length, 'part', 'parts')} ${and.format(numbers.map((part) => figure(part)))}`;

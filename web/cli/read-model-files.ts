@@ -1,0 +1,65 @@
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { FileLimits, isHidden, type ModelFile } from '../model/model-files.js';
+import { Exit, exitStatus } from './exit.js';
+
+function reasonOf(error: unknown): string {
+  const { code, message } = error as NodeJS.ErrnoException;
+  if (code === 'ENOENT' || code === 'ENOTDIR') return 'there is no such file';
+  if (code === 'EACCES' || code === 'EPERM') return 'may not be read';
+  return `cannot be read: ${message}`;
+}
+
+/** The model could not be read or used. */
+export function modelError(model: string, sentence: string): Exit {
+  return new Exit(exitStatus.model, `${model}: ${sentence}`);
+}
+
+/** A file that was found, but not read yet. */
+interface FoundFile {
+  /** Its path within the model's folder. */
+  name: string;
+  path: string;
+}
+
+/** The files of a folder and of the folders in it, by name; links to folders are not followed. */
+function* filesIn(folder: string, prefix = ''): Generator<FoundFile> {
+  const entries = readdirSync(folder, { withFileTypes: true });
+  for (const entry of entries.sort((a, b) => (a.name < b.name ? -1 : 1))) {
+    if (isHidden(entry.name)) continue;
+    const [name, path] = [prefix + entry.name, join(folder, entry.name)];
+    if (entry.isDirectory()) yield* filesIn(path, `${name}/`);
+    else if (statSync(path, { throwIfNoEntry: false })?.isFile()) yield { name, path };
+  }
+}
+
+/** @throws Exit for a folder without files, or with more than belong to a model */
+function readFolder(folder: string): ModelFile[] {
+  const limits = new FileLimits();
+  const found: FoundFile[] = [];
+  for (const file of filesIn(folder)) {
+    const excess = limits.add(statSync(file.path).size);
+    if (excess !== null) throw modelError(folder, `the folder has ${excess}`);
+    found.push(file);
+  }
+  if (found.length === 0) throw modelError(folder, 'there is no file in the folder');
+  return found.map(({ name, path }) => ({ name, bytes: readFileSync(path) }));
+}
+
+/**
+ * The model's file, or all files of its folder.
+ * @throws Exit if there is none, or nothing in it
+ */
+export function readModelFiles(model: string): ModelFile[] {
+  try {
+    const status = statSync(model);
+    if (status.isDirectory()) return readFolder(model);
+    // Reading from a device might never end.
+    if (!status.isFile() && !status.isFIFO()) throw modelError(model, 'is not a file');
+    const bytes = readFileSync(model);
+    if (bytes.length === 0) throw modelError(model, 'the file is empty');
+    return [{ name: basename(model), bytes }];
+  } catch (error) {
+    throw error instanceof Exit ? error : modelError(model, reasonOf(error));
+  }
+}
