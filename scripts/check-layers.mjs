@@ -5,13 +5,15 @@ import { sourceFiles } from './files.mjs';
 import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
-const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', ...unfold];
+const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', 'read', 'repair', ...unfold];
 const web = ['view', 'export', 'core', 'browser', 'words', 'model'];
 
 /** What each folder may know besides itself. */
 const mayKnow = {
   'cpp/geometry': [],
   'cpp/mesh': ['geometry'],
+  'cpp/read': ['mesh', 'geometry'],
+  'cpp/repair': ['mesh', 'geometry'],
   'cpp/unfold': ['mesh', 'geometry'],
   'cpp/fold': unfold,
   'cpp/segment': unfold,

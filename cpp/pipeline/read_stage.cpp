@@ -4,15 +4,15 @@
 
 #include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
-#include "mesh/joints.h"
 #include "mesh/nearest_face.h"
-#include "mesh/read_model.h"
 #include "mesh/simplify.h"
-#include "mesh/turn_up.h"
 #include "pipeline/edits.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
+#include "read/read_model.h"
+#include "read/turn_up.h"
+#include "repair/joints.h"
 
 namespace foldwright {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "fold/motion.h"
-#include "mesh/repair.h"
 #include "paper/labels.h"
 #include "paper/sheets.h"
 #include "paper/strips.h"
 #include "pipeline/piece_names.h"
+#include "repair/repair.h"
 #include "unfold/net.h"
 
 namespace foldwright {

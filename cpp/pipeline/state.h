@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "mesh/model_files.h"
 #include "pipeline/events.h"
 #include "pipeline/job_start.h"
 #include "pipeline/options.h"
 #include "pipeline/task.h"
+#include "read/model_files.h"
 
 namespace foldwright {
 

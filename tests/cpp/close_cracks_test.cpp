@@ -1,8 +1,8 @@
-#include "mesh/close_cracks.h"
+#include "repair/close_cracks.h"
 
 #include <gtest/gtest.h>
 
-#include "mesh/edge_groups.h"
+#include "repair/edge_groups.h"
 
 namespace foldwright {
 namespace {

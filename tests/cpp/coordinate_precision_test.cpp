@@ -1,4 +1,4 @@
-#include "mesh/coordinate_precision.h"
+#include "read/coordinate_precision.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "mesh/text_scanner.h"
+#include "read/text_scanner.h"
 
 namespace foldwright::testing {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "mesh/repair.h"
-#include "mesh/split_nonmanifold.h"
 #include "mesh_faults.h"
 #include "meshes.h"
+#include "repair/repair.h"
+#include "repair/split_nonmanifold.h"
 
 namespace foldwright::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "mesh/crossing_bodies.h"
+#include "repair/crossing_bodies.h"
 
 #include <gtest/gtest.h>
 

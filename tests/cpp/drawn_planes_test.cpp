@@ -1,4 +1,4 @@
-#include "mesh/drawn_planes.h"
+#include "repair/drawn_planes.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include "geometry/random.h"
 #include "mesh/dual_graph.h"
-#include "mesh/repair.h"
 #include "mesh_faults.h"
 #include "meshes.h"
+#include "repair/repair.h"
 #include "solids.h"
 #include "unfold/net.h"
 #include "unfold/spanning_tree.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "mesh/repair.h"
 #include "meshes.h"
+#include "repair/repair.h"
 
 namespace foldwright::testing {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/text_encoding.h"
+#include "read/text_encoding.h"
 
 /// Text in encodings that programs on Windows like to write.
 namespace foldwright::testing {

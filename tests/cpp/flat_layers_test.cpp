@@ -1,4 +1,4 @@
-#include "mesh/flat_layers.h"
+#include "repair/flat_layers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "mesh/flatten_planes.h"
+#include "repair/flatten_planes.h"
 
 #include <gtest/gtest.h>
 
 #include "geometry/random.h"
-#include "mesh/planar_fit.h"
+#include "repair/planar_fit.h"
 
 namespace foldwright {
 namespace {

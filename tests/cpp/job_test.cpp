@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "job_runs.h"
-#include "mesh/repair.h"
 #include "meshes.h"
 #include "model_text.h"
 #include "pipeline/wire.h"
+#include "repair/repair.h"
 #include "shared_models.h"
 
 namespace foldwright::testing {

@@ -1,4 +1,4 @@
-#include "mesh/joints.h"
+#include "repair/joints.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "job_runs.h"
-#include "mesh/read_model.h"
-#include "mesh/repair.h"
+#include "read/read_model.h"
+#include "repair/repair.h"
 
 namespace foldwright::testing {
 namespace {

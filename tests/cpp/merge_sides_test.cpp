@@ -1,4 +1,4 @@
-#include "mesh/merge_sides.h"
+#include "repair/merge_sides.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "mesh/mesh.h"
 #include "mesh/polygon_soup.h"
-#include "mesh/repair.h"
+#include "repair/repair.h"
 
 namespace foldwright::testing {
 

@@ -1,4 +1,4 @@
-#include "mesh/model_files.h"
+#include "read/model_files.h"
 
 #include <gtest/gtest.h>
 

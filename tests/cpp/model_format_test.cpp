@@ -1,4 +1,4 @@
-#include "mesh/model_format.h"
+#include "read/model_format.h"
 
 #include <gtest/gtest.h>
 

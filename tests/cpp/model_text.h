@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mesh/input_error.h"
-#include "mesh/read_model.h"
+#include "read/read_model.h"
 
 /// Models written down in a test, and what is said about them.
 namespace foldwright::testing {

@@ -1,4 +1,4 @@
-#include "mesh/planar_fit.h"
+#include "repair/planar_fit.h"
 
 #include <gtest/gtest.h>
 

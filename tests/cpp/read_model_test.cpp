@@ -1,4 +1,4 @@
-#include "mesh/read_model.h"
+#include "read/read_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/repair.h"
+#include "repair/repair.h"
 
 #include <gtest/gtest.h>
 

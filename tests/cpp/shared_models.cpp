@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "mesh/read_model.h"
+#include "read/read_model.h"
 
 namespace foldwright::testing {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/repair.h"
+#include "repair/repair.h"
 
 /// Models too large or too foreign to commit: they lie in a folder beside the repository.
 namespace foldwright::testing {

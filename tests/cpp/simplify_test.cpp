@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/repair.h"
 #include "mesh_faults.h"
 #include "meshes.h"
+#include "repair/repair.h"
 
 namespace foldwright::testing {
 namespace {

@@ -1,8 +1,8 @@
-#include "mesh/t_junctions.h"
+#include "repair/t_junctions.h"
 
 #include <gtest/gtest.h>
 
-#include "mesh/edge_groups.h"
+#include "repair/edge_groups.h"
 
 namespace foldwright {
 namespace {

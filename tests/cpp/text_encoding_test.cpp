@@ -1,4 +1,4 @@
-#include "mesh/text_encoding.h"
+#include "read/text_encoding.h"
 
 #include <gtest/gtest.h>
 

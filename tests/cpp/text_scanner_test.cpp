@@ -1,4 +1,4 @@
-#include "mesh/text_scanner.h"
+#include "read/text_scanner.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "folding.h"
-#include "mesh/repair.h"
 #include "meshes.h"
 #include "parts.h"
+#include "repair/repair.h"
 #include "trees.h"
 
 namespace foldwright::testing {

@@ -1,4 +1,4 @@
-#include "mesh/triangulate.h"
+#include "repair/triangulate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/turn_up.h"
+#include "read/turn_up.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/weld.h"
+#include "repair/weld.h"
 
 #include <gtest/gtest.h>
 

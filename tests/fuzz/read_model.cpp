@@ -2,7 +2,7 @@
 // sentence. One program per reader: its name for the file decides where the contents show no
 // format.
 
-#include "mesh/read_model.h"
+#include "read/read_model.h"
 
 #include <cstdint>
 #include <span>

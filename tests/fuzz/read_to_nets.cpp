@@ -7,8 +7,8 @@
 
 #include "expect.h"
 #include "mesh/input_error.h"
-#include "mesh/read_model.h"
 #include "pipeline/job.h"
+#include "read/read_model.h"
 #include "result_faults.h"
 
 namespace {

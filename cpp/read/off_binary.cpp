@@ -1,0 +1,91 @@
+#include "read/off_binary.h"
+
+#include <cstdint>
+#include <string>
+
+#include "mesh/input_error.h"
+#include "read/byte_reader.h"
+#include "read/soup_builder.h"
+
+namespace foldwright {
+namespace {
+
+class OffNumbers {
+ public:
+  explicit OffNumbers(std::span<const std::byte> bytes) : reader_(bytes, std::endian::big) {}
+
+  std::int32_t integer() { return read<std::int32_t>(); }
+  double number() { return read<float>(); }
+
+  /// Skips numbers of 4 bytes.
+  void skip(long long count) {
+    for (; count > 0; --count) integer();
+  }
+
+  /// Tells what the next numbers belong to, for messages.
+  void begin(const char* unit, long long index) { place_ = {unit, index}; }
+  const Place& place() const { return place_; }
+
+ private:
+  ByteReader reader_;
+  Place place_{"count", 0};
+
+  template <typename T>
+  T read() {
+    if (reader_.left() < sizeof(T)) {
+      throw InputError("truncated", place_, {{"what", "more"}});
+    }
+    return reader_.read<T>();
+  }
+};
+
+int numbers_after_position(const OffLayout& layout) {
+  return (layout.has_normal ? 3 : 0) + (layout.has_colour ? 4 : 0) + (layout.has_texture ? 2 : 0);
+}
+
+void read_vertex(OffNumbers& numbers, const OffLayout& layout, SoupBuilder& builder) {
+  Vec3 position;
+  for (double& coordinate : position) coordinate = builder.single_coordinate(numbers.number());
+  if (layout.is_homogeneous) position /= numbers.number();
+  numbers.skip(numbers_after_position(layout));
+  builder.add_vertex(position, numbers.place());
+}
+
+void read_face(OffNumbers& numbers, SoupBuilder& builder) {
+  const int corners = numbers.integer();
+  for (int i = 0; i < corners; ++i) builder.add_corner(numbers.integer());
+  const int of_colour = numbers.integer();
+  if (of_colour > 0) builder.skip_colours();
+  numbers.skip(of_colour);
+  builder.end_face(numbers.place());
+}
+
+}  // namespace
+
+PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& layout) {
+  const int counts = layout.has_dimension ? 4 : 3;
+  if (bytes.size() < counts * sizeof(std::int32_t)) {
+    throw InputError("truncated", {{"what", "header-only"}});
+  }
+  OffNumbers numbers(bytes);
+  if (layout.has_dimension) require_three_dimensions(numbers.integer());
+  const int vertices = numbers.integer();
+  const int faces = numbers.integer();
+  numbers.skip(1);  // the number of edges
+  if (vertices < 0 || faces < 0) {
+    throw InputError("bad-header", {{"what", "counts"}});
+  }
+  SoupBuilder builder(0);
+  skip_looks(layout, builder);
+  for (int v = 0; v < vertices; ++v) {
+    numbers.begin("vertex", v);
+    read_vertex(numbers, layout, builder);
+  }
+  for (int f = 0; f < faces; ++f) {
+    numbers.begin("face", f);
+    read_face(numbers, builder);
+  }
+  return builder.finish();
+}
+
+}  // namespace foldwright

@@ -1,0 +1,126 @@
+#include <string>
+
+#include "mesh/input_error.h"
+#include "read/formats.h"
+#include "read/soup_builder.h"
+#include "read/text_encoding.h"
+#include "read/text_scanner.h"
+
+namespace foldwright {
+namespace {
+
+Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
+
+double coordinate(TextScanner& scanner, SoupBuilder& builder) {
+  const std::string_view word = scanner.word_in_line();
+  if (word.empty()) {
+    throw InputError("truncated", here(scanner), {{"what", "coordinates"}});
+  }
+  return builder.text_coordinate(word, scanner.line());
+}
+
+/// Whether a corner has a place in a texture, as in "7/1" or "7/1/2".
+bool has_texture(std::string_view corner) {
+  const std::size_t slash = corner.find('/');
+  return slash != std::string_view::npos && slash + 1 < corner.size() && corner[slash + 1] != '/';
+}
+
+/// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; only the vertex counts.
+void add_corner(SoupBuilder& builder, std::string_view word, const Place& place) {
+  const std::string_view vertex = word.substr(0, word.find('/'));
+  const long long index = integer_of(vertex, static_cast<int>(place.number));
+  if (index >= 0) return builder.add_corner(index);
+  const long long absolute = builder.vertex_count() + 1 + index;
+  if (absolute < 1) {
+    throw InputError("bad-index", place,
+                     {{"what", "before"}, {"index", index}, {"vertices", builder.vertex_count()}});
+  }
+  builder.add_corner(absolute);
+}
+
+void read_vertex(TextScanner& scanner, SoupBuilder& builder) {
+  const Place place = here(scanner);
+  const double x = coordinate(scanner, builder);
+  const double y = coordinate(scanner, builder);
+  const double z = coordinate(scanner, builder);
+  builder.add_vertex({x, y, z}, place);
+  // A single number more is a weight; three or four are a colour, as sculpting programs write it.
+  int more = 0;
+  while (!scanner.word_in_line().empty()) ++more;
+  if (more >= 3) builder.skip_colours();
+}
+
+void read_face(TextScanner& scanner, SoupBuilder& builder) {
+  const Place place = here(scanner);
+  int corners = 0;
+  for (std::string_view word = scanner.word_in_line(); !word.empty();
+       word = scanner.word_in_line()) {
+    add_corner(builder, word, place);
+    if (has_texture(word)) builder.skip_textures();
+    ++corners;
+  }
+  // A short face elsewhere is one bad face; at the very end, without a line break, it tells that
+  // the rest of the file is missing.
+  if (corners < 3 && scanner.at_end()) {
+    throw InputError("truncated", place, {{"what", "face"}});
+  }
+  builder.end_face(place);
+}
+
+/// What a model may have besides faces; no paper comes of it.
+struct Ignored {
+  int points = 0;
+  int lines = 0;
+  int curves = 0;
+  int surfaces = 0;
+
+  void count(std::string_view keyword) {
+    points += keyword == "p";
+    lines += keyword == "l";
+    curves += keyword == "curv" || keyword == "curv2";
+    surfaces += keyword == "surf";
+  }
+  int total() const { return points + lines + curves + surfaces; }
+};
+
+void note_ignored(const Ignored& ignored, SoupBuilder& builder) {
+  if (ignored.total() == 0) return;
+  builder.note({"ignored-elements",
+                ignored.total(),
+                {{"points", ignored.points},
+                 {"lines", ignored.lines},
+                 {"curves", ignored.curves},
+                 {"surfaces", ignored.surfaces}}});
+}
+
+/// Says why there is no face where the file has shapes of another kind.
+void require_faces(const Ignored& ignored, const SoupBuilder& builder) {
+  if (builder.face_count() > 0 || ignored.surfaces == 0) return;
+  throw InputError("no-faces", {{"what", "surfaces"}});
+}
+
+}  // namespace
+
+PolygonSoup read_obj(std::span<const std::byte> bytes) {
+  refuse_nul(bytes);
+  TextScanner scanner(bytes, LineContinuation::kBackslash);
+  SoupBuilder builder(1);
+  Ignored ignored;
+  do {
+    const std::string_view keyword = scanner.word_in_line();
+    if (keyword == "v") {
+      read_vertex(scanner, builder);
+    } else if (keyword == "f" || keyword == "fo") {  // "fo": faces of old exporters
+      read_face(scanner, builder);
+    } else if (keyword == "mtllib" || keyword == "usemtl") {
+      builder.skip_colours();
+    } else {
+      ignored.count(keyword);
+    }
+  } while (scanner.next_line());
+  require_faces(ignored, builder);
+  note_ignored(ignored, builder);
+  return builder.finish();
+}
+
+}  // namespace foldwright

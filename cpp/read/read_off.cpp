@@ -1,0 +1,180 @@
+#include <optional>
+
+#include "mesh/input_error.h"
+#include "read/formats.h"
+#include "read/off_binary.h"
+#include "read/off_header.h"
+#include "read/soup_builder.h"
+#include "read/text_encoding.h"
+#include "read/text_scanner.h"
+
+namespace foldwright {
+namespace {
+
+Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
+
+/// The counts are never trusted with an allocation, only with this message.
+[[noreturn]] void fail_at_end(const TextScanner& scanner, const char* what, long long done,
+                              long long announced) {
+  throw InputError("truncated", here(scanner),
+                   {{"what", what}, {"done", done}, {"announced", announced}});
+}
+
+struct Counts {
+  long long vertices;
+  long long faces;
+};
+
+Counts read_counts(TextScanner& scanner, const OffLayout& layout) {
+  if (layout.has_dimension) require_three_dimensions(scanner.integer());
+  if (TextScanner(scanner).word().empty()) {
+    throw InputError("truncated", here(scanner), {{"what", "header-only"}});
+  }
+  const long long vertices = scanner.integer();
+  const Counts counts{vertices, scanner.integer()};
+  if (counts.vertices < 0 || counts.faces < 0) {
+    throw InputError("bad-header", here(scanner), {{"what", "counts"}});
+  }
+  return counts;
+}
+
+/// What comes between the counts, the vertices and the faces, and is skipped.
+struct Gaps {
+  bool end_with_line = true;  // all that follows in the line, or else so many numbers:
+  int after_counts = 0;       // the number of edges
+  int after_vertex = 0;       // normal, colour, texture coordinates
+  int after_face = 0;         // colour
+};
+
+/// Whether there was anything to skip.
+bool skip_gap(TextScanner& scanner, const Gaps& gaps, int numbers) {
+  if (gaps.end_with_line) {
+    const bool has_words = !scanner.word_in_line().empty();
+    scanner.next_line();
+    return has_words;
+  }
+  for (int i = 0; i < numbers; ++i) scanner.word();
+  return numbers > 0;
+}
+
+long long lines_with_words(TextScanner scanner) {
+  long long lines = 0;
+  while (scanner.next_line()) {
+    if (!scanner.word_in_line().empty()) ++lines;
+  }
+  return lines;
+}
+
+bool skip_numbers(TextScanner& scanner, int count) {
+  for (; count > 0; --count) {
+    if (!parse_number(scanner.word())) return false;
+  }
+  return true;
+}
+
+bool skip_face(TextScanner& scanner, long long vertices) {
+  const std::optional<long long> corners = parse_integer(scanner.word());
+  if (!corners || *corners < 0) return false;
+  for (long long i = 0; i < *corners; ++i) {
+    const std::optional<long long> index = parse_integer(scanner.word());
+    if (!index || *index < 0 || *index >= vertices) return false;
+  }
+  return true;
+}
+
+/// Whether the rest of the file is exactly the announced vertices and faces with these gaps.
+bool fits(TextScanner scanner, const OffLayout& layout, const Counts& counts, const Gaps& gaps) {
+  const int coordinates = layout.is_homogeneous ? 4 : 3;
+  if (!skip_numbers(scanner, gaps.after_counts)) return false;
+  for (long long v = 0; v < counts.vertices; ++v) {
+    if (!skip_numbers(scanner, coordinates + gaps.after_vertex)) return false;
+  }
+  for (long long f = 0; f < counts.faces; ++f) {
+    if (!skip_face(scanner, counts.vertices)) return false;
+    if (!skip_numbers(scanner, gaps.after_face)) return false;
+  }
+  return scanner.word().empty();
+}
+
+/// Files with one vertex or face per line need no counting of numbers, and may have more of them
+/// than their keyword says. Others wrap their lines anywhere: there, all numbers must be told.
+Gaps find_gaps(const TextScanner& after_counts, const OffLayout& layout, const Counts& counts) {
+  if (lines_with_words(after_counts) == counts.vertices + counts.faces) return {};
+  const int fixed = (layout.has_normal ? 3 : 0) + (layout.has_texture ? 2 : 0);
+  for (const int edges : {1, 0}) {
+    for (const int vertex_colour : {4, 3}) {  // with alpha or without
+      for (const int face_colour : {0, 3, 4, 1}) {
+        const Gaps gaps{false, edges, fixed + (layout.has_colour ? vertex_colour : 0), face_colour};
+        if (fits(after_counts, layout, counts, gaps)) return gaps;
+      }
+    }
+  }
+  return {};
+}
+
+void read_vertex(TextScanner& scanner, const OffLayout& layout, SoupBuilder& builder) {
+  const Place place = here(scanner);
+  Vec3 position;
+  for (double& coordinate : position) {
+    const std::string_view word = scanner.number_word();
+    coordinate = builder.text_coordinate(word, scanner.line());
+  }
+  if (layout.is_homogeneous) {
+    const double w = scanner.number();
+    if (w == 0) throw InputError("not-finite", here(scanner), {{"what", "weight"}});
+    position /= w;
+  }
+  builder.add_vertex(position, place);
+}
+
+void read_face(TextScanner& scanner, SoupBuilder& builder) {
+  const long long corners = scanner.integer();
+  const Place place = here(scanner);
+  for (long long i = 0; i < corners; ++i) builder.add_corner(scanner.integer());
+  builder.end_face(place);
+}
+
+/// Goes on to the next word; false at the end of the file.
+bool find_word(TextScanner& scanner) {
+  TextScanner ahead = scanner;
+  while (ahead.word_in_line().empty()) {
+    if (!ahead.next_line()) return false;
+    scanner = ahead;
+  }
+  return true;
+}
+
+PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
+  const Counts counts = read_counts(scanner, layout);
+  const Gaps gaps = find_gaps(scanner, layout, counts);
+  SoupBuilder builder(0);
+  skip_looks(layout, builder);
+  skip_gap(scanner, gaps, gaps.after_counts);
+  for (long long v = 0; v < counts.vertices; ++v) {
+    if (!find_word(scanner)) fail_at_end(scanner, "vertices", v, counts.vertices);
+    read_vertex(scanner, layout, builder);
+    skip_gap(scanner, gaps, gaps.after_vertex);
+  }
+  for (long long f = 0; f < counts.faces; ++f) {
+    if (!find_word(scanner)) fail_at_end(scanner, "faces", f, counts.faces);
+    read_face(scanner, builder);
+    if (skip_gap(scanner, gaps, gaps.after_face)) builder.skip_colours();
+  }
+  if (find_word(scanner)) {
+    const int rest = static_cast<int>(1 + lines_with_words(scanner));
+    builder.note({"trailing-lines", rest});
+  }
+  return builder.finish();
+}
+
+}  // namespace
+
+PolygonSoup read_off(std::span<const std::byte> bytes) {
+  TextScanner scanner(bytes);
+  const OffLayout layout = read_off_header(scanner);
+  if (layout.is_binary) return read_off_binary(bytes.subspan(scanner.position()), layout);
+  refuse_nul(bytes);
+  return read_text(scanner, layout);
+}
+
+}  // namespace foldwright

@@ -1,0 +1,283 @@
+#include "repair/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mesh/input_error.h"
+#include "repair/close_cracks.h"
+#include "repair/crossing_bodies.h"
+#include "repair/drawn_planes.h"
+#include "repair/drop_faces.h"
+#include "repair/edge_groups.h"
+#include "repair/flatten_planes.h"
+#include "repair/join_faces.h"
+#include "repair/joints.h"
+#include "repair/merge_sides.h"
+#include "repair/orient.h"
+#include "repair/split_nonmanifold.h"
+#include "repair/t_junctions.h"
+#include "repair/triangulate_soup.h"
+#include "repair/weld.h"
+
+namespace foldwright {
+namespace {
+
+/// Notes what happened to some vertices, edges or faces, if it happened to any.
+void report(RepairedModel& model, Code code, int count, Parameters more = {}) {
+  if (count > 0) model.repairs.push_back({code, count, std::move(more)});
+}
+
+/// The model's own units and the repair's, in which it is about 1 across: squares of areas would
+/// leave the range of doubles at 1e-30 or 1e30. Powers of two, so that nothing is rounded.
+struct Frame {
+  Vec3 centre;
+  int exponent;
+  double diagonal;  // of the bounding box, in the repair's units
+
+  double scaled(double length) const { return std::ldexp(length, -exponent); }
+  double in_model_units(double length) const { return std::ldexp(length, exponent); }
+  Vec3 in_model_units(const Vec3& p) const {
+    return p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+  }
+  Vec3 scaled(const Vec3& p) const {
+    return (p - centre).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+  }
+};
+
+Frame frame_of(std::span<const Vec3> positions) {
+  // Volumes and squares of areas of what comes later stay in the range of doubles.
+  constexpr double kSmallest = 1e-60;
+  constexpr double kLargest = 1e60;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions) box.extend(p);
+  const Vec3 half = 0.5 * box.max() - 0.5 * box.min();  // without overflow
+  const double size = half.maxCoeff();
+  if (size == 0) throw InputError("no-area", {{"what", "point"}});
+  if (size < kSmallest || size > kLargest) {
+    throw InputError("bad-size", {{"least", kSmallest}, {"most", kLargest}});
+  }
+  Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0};
+  std::frexp(size, &frame.exponent);
+  frame.diagonal = 2 * frame.scaled(frame.centre + half).norm();
+  return frame;
+}
+
+/// Indices of the vertices that some face uses, ascending.
+std::vector<int> used_vertices(std::span<const int> corners, std::size_t vertex_count) {
+  std::vector<char> is_used(vertex_count, false);
+  for (const int corner : corners) is_used[corner] = true;
+  std::vector<int> used;
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (is_used[v]) used.push_back(static_cast<int>(v));
+  }
+  return used;
+}
+
+/// Number of source faces of which something is left, or of which `selected` faces are a part.
+int count_sources(const TriangleSoup& soup, int source_count, const std::vector<char>* selected) {
+  std::vector<char> present(source_count, false);
+  for (int f = 0; f < soup.face_count(); ++f) {
+    if (selected == nullptr || (*selected)[f]) present[soup.source_faces[f]] = true;
+  }
+  return static_cast<int>(std::count(present.begin(), present.end(), true));
+}
+
+TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& used,
+                              const Frame& frame, double tolerance, RepairedModel& model) {
+  std::vector<Vec3> positions;
+  for (const int v : used) positions.push_back(frame.scaled(soup.positions[v]));
+  const std::vector<int> standing_for = weld(positions, tolerance);
+  std::vector<int> vertex_of(soup.positions.size(), -1);
+  int welded = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    vertex_of[used[i]] = standing_for[i];
+    welded += standing_for[i] != static_cast<int>(i);
+  }
+  report(model, "welded-vertices", welded);
+  int polygons = 0;
+  for (int f = 0; f < soup.face_count(); ++f) {
+    polygons += soup.first_corner[f + 1] - soup.first_corner[f] > 3;
+  }
+  report(model, "triangulated-polygons", polygons);
+  std::vector<double> errors(positions.size(), frame.scaled(soup.precision));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const int stands = standing_for[i];
+    const double moved = (positions[i] - positions[stands]).norm();
+    errors[stands] = std::max(errors[stands], moved);
+    model.largest_move = std::max(model.largest_move, frame.in_model_units(moved));
+  }
+  TriangleSoup triangles = triangulate_soup(soup, vertex_of, std::move(positions));
+  triangles.errors = std::move(errors);
+  return triangles;
+}
+
+/// Number of source faces in a list of which nothing is left.
+int count_lost(const TriangleSoup& soup, int source_count, const std::vector<int>& sources) {
+  std::vector<char> lost(source_count, false);
+  for (const int source : sources) lost[source] = true;
+  for (const int source : soup.source_faces) lost[source] = false;
+  return static_cast<int>(std::count(lost.begin(), lost.end(), true));
+}
+
+/// Drops triangles without an area and those that repeat others, from either side.
+class FaceDropper {
+ public:
+  // Vertices are at least the tolerance apart, so that the apex of a triangle this small lies
+  // within two tolerances of its longest side: the crack it leaves is within reach of the closer.
+  FaceDropper(int source_count, double tolerance)
+      : source_count_(source_count), tolerance_(tolerance) {}
+
+  void drop(TriangleSoup& triangles) {
+    drop_degenerate(triangles, tolerance_ * tolerance_);
+    const int before = count_sources(triangles, source_count_, nullptr);
+    const std::vector<int> other_sides = merge_sides(triangles, tolerance_);
+    const int two_sided = count_lost(triangles, source_count_, other_sides);
+    two_sided_ += two_sided;
+    duplicates_ += before - count_sources(triangles, source_count_, nullptr) - two_sided;
+  }
+
+  void report_to(RepairedModel& model, const TriangleSoup& triangles) const {
+    const int left = count_sources(triangles, source_count_, nullptr);
+    report(model, "dropped-degenerate-faces", source_count_ - left - duplicates_ - two_sided_);
+    report(model, "dropped-duplicate-faces", duplicates_);
+    report(model, "merged-two-sided", two_sided_);
+  }
+
+ private:
+  int source_count_;
+  double tolerance_;
+  int duplicates_ = 0;
+  int two_sided_ = 0;
+};
+
+/// Closes T-junctions of an edge's length, dropping what is left without an area.
+ClosedCracks close_junctions(TriangleSoup& triangles, double tolerance, FaceDropper& dropper) {
+  // Cutting a face at a crack may open another one; in practice the second pass finds none.
+  constexpr int kMostPasses = 8;
+  ClosedCracks closed;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    dropper.drop(triangles);
+    const ClosedCracks closed_now = close_t_junctions(triangles, 2 * tolerance);
+    if (closed_now.edges == 0) break;
+    closed.edges += closed_now.edges;
+    closed.moved += closed_now.moved;
+  }
+  return closed;
+}
+
+/// Drops what is no face and closes the cracks that this or the file leaves.
+void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
+                RepairedModel& model) {
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  FaceDropper dropper(model.source_face_count, tolerance);
+  const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
+  const ClosedCracks cracks = close_cracks(triangles, options.widest_crack * frame.diagonal);
+  dropper.drop(triangles);
+  dropper.report_to(model, triangles);
+  model.largest_move += frame.in_model_units(junctions.moved + cracks.moved);
+  report(model, "closed-t-junctions", junctions.edges);
+  report(model, "closed-cracks", cracks.edges, {{"width", frame.in_model_units(cracks.width)}});
+  if (triangles.faces.empty()) throw InputError("no-area", {{"what", "faces"}});
+}
+
+/// Makes flat what was drawn flat.
+void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& model) {
+  const Flattening flattening = flatten_planes(triangles, find_drawn_planes(triangles));
+  std::vector<char> flattened(triangles.faces.size(), false);
+  for (const int face : flattening.faces) flattened[face] = true;
+  model.largest_move += frame.in_model_units(flattening.distance);
+  report(model, "flattened-faces", count_sources(triangles, model.source_face_count, &flattened),
+         {{"distance", frame.in_model_units(flattening.distance)}});
+}
+
+/// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
+void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
+  std::vector<char> turned(triangles.faces.size(), false);
+  Partners partners = join_manifold_edges(triangles, group_half_edges(triangles));
+  const Orientation patches = orient(triangles, partners, turned);
+  turn_faces(triangles, partners, patches.turned);
+  turned = patches.turned;
+
+  // Only faces that know their outside can be paired; the pairs in turn may connect patches that
+  // were wound by guess.
+  const int nonmanifold_edges =
+      join_nonmanifold_edges(triangles, group_half_edges(triangles), patches, partners);
+  const Orientation whole = orient(triangles, partners, turned);
+  for (const int h : whole.contradictions) {
+    partners[partners[h]] = -1;
+    partners[h] = -1;
+  }
+  turn_faces(triangles, partners, whole.turned);
+  for (std::size_t f = 0; f < turned.size(); ++f) turned[f] ^= whole.turned[f];
+  const int turned_faces = count_sources(triangles, model.source_face_count, &turned);
+
+  const Splits splits = split_nonmanifold(triangles, partners);
+  report(model, "flipped-faces", turned_faces);
+  report(model, "split-nonmanifold-edges", nonmanifold_edges);
+  report(model, "split-nonmanifold-vertices", splits.vertices);
+  report(model, "halved-edges", splits.midpoints);
+  report(model, "cut-nonorientable", static_cast<int>(whole.contradictions.size()));
+}
+
+/// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
+/// origin.
+void finish_mesh(TriangleSoup&& triangles, const Frame& frame, RepairedModel& model) {
+  std::vector<int> corners;
+  for (const auto& face : triangles.faces) corners.insert(corners.end(), face.begin(), face.end());
+  const std::vector<int> used = used_vertices(corners, triangles.positions.size());
+  Eigen::AlignedBox3d box;
+  for (const int v : used) box.extend(triangles.positions[v]);
+  const Vec3 centre = box.center();
+  model.centre = frame.centre + frame.in_model_units(centre);
+  std::vector<int> new_index(triangles.positions.size(), -1);
+  std::vector<Vec3> positions;
+  for (const int v : used) {
+    new_index[v] = static_cast<int>(positions.size());
+    positions.push_back(frame.in_model_units(Vec3(triangles.positions[v] - centre)));
+  }
+  for (auto& face : triangles.faces) {
+    for (int& vertex : face) vertex = new_index[vertex];
+  }
+  model.origins = std::move(triangles.origins);
+  model.mesh = make_mesh(std::move(positions), std::move(triangles.faces),
+                         std::move(triangles.source_faces));
+  model.mesh.joints = find_joints(model.mesh);
+}
+
+/// Tells what the mesh is, where people may not know or may have meant something else.
+void report_shape(RepairedModel& model, const RepairOptions& options) {
+  int borders = 0;
+  for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
+  report(model, "open-border", borders, {{"gap", options.widest_crack}});
+  const Crossings crossings = find_crossings(model.mesh);
+  report(model, "crossing-bodies", crossings.pairs);
+  report(model, "self-crossing-bodies", crossings.bodies);
+  report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count());
+}
+
+}  // namespace
+
+RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
+  RepairedModel model;
+  model.repairs = soup.repairs;
+  model.source_face_count = soup.face_count();
+  const std::vector<int> used = used_vertices(soup.corners, soup.positions.size());
+  if (used.empty()) throw InputError("no-faces", {{"what", "model"}});
+  report(model, "dropped-unused-vertices", static_cast<int>(soup.positions.size() - used.size()));
+
+  std::vector<Vec3> used_positions;
+  for (const int v : used) used_positions.push_back(soup.positions[v]);
+  const Frame frame = frame_of(used_positions);
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
+  mend_faces(triangles, frame, options, model);
+  make_manifold(triangles, model);
+  flatten_faces(triangles, frame, model);
+  finish_mesh(std::move(triangles), frame, model);
+  report_shape(model, options);
+  return model;
+}
+
+}  // namespace foldwright
