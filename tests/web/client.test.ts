@@ -116,6 +116,19 @@ describe('runJob', () => {
     }
   });
 
+  it('hands over a result that is done when the end is asked for', async () => {
+    const { pool } = poolFor({ steps: [[{ type: 'net', part: 0, piece: 0 }, ...done]] });
+    const control = new AbortController();
+    const heard: TimedEvent[] = [];
+    const onEvent = (event: TimedEvent): void => {
+      heard.push(event);
+      if (event.type === 'net') control.abort();
+    };
+    const aborted = run(pool, { signal: control.signal, onEvent });
+    await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
+    expect(heard.at(-1)).toMatchObject({ type: 'cancelled', best: { parts: 1 } });
+  });
+
   it('never starts a job that was aborted before', async () => {
     const { pool, spawned } = poolFor({ steps: [done] });
     await expect(run(pool, { signal: AbortSignal.abort() })).rejects.toThrow();

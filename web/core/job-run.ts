@@ -96,7 +96,7 @@ export class JobRun implements PoolListener {
     if (answer.type === 'ended') this.free(worker);
     if (!this.whenEnded) this.passOn(worker, answer);
     // What is still under way when the job ends is of no use any more, but for what it came to.
-    else if (answer.type === 'events') this.tellLast(answer);
+    else if (answer.type === 'events') this.passOnLast(answer.events);
   }
 
   onDeath(worker: number, reason: string): void {
@@ -148,9 +148,9 @@ export class JobRun implements PoolListener {
   }
 
   private passOnEvents({ events }: EventsAnswer): void {
-    for (const event of events) {
+    for (const [index, event] of events.entries()) {
       // Whoever hears an event may end the job.
-      if (this.whenEnded) return;
+      if (this.whenEnded) return this.passOnLast(events.slice(index));
       // After the last event the conductor frees everything by itself.
       if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
       if (event.type === 'net') this.hasNets = true;
@@ -158,9 +158,15 @@ export class JobRun implements PoolListener {
     }
   }
 
-  private tellLast({ events }: EventsAnswer): void {
+  /** What the job came to after its end was asked for: its nets so far, or all of them. */
+  private passOnLast(events: readonly TimedEvent[]): void {
     for (const event of events) {
       if (event.type === 'cancelled') this.listener.onEvent(event);
+      if (event.type !== 'done') continue;
+      const { result: best, seconds } = event;
+      this.listener.onEvent({ type: 'cancelled', best, seconds });
+      // It frees everything by itself.
+      this.free(this.conductor);
     }
   }
 
