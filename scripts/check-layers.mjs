@@ -20,7 +20,7 @@ const mayKnow = {
   'cpp/paper': unfold,
   'cpp/search': ['fold', ...unfold],
   'cpp/pipeline': engine.slice(1),
-  bindings: engine,
+  bindings: engine.filter((folder) => folder !== 'read'),
   'web/model': [],
   'web/words': ['model'],
   'web/browser': [],

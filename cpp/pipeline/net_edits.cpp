@@ -110,11 +110,7 @@ class NetEditor {
     const auto& [v, w] = surface_.mesh.edges[graph_.hinges[hinge].edges[0]].vertices;
     const EdgeLock lock = {{v, w}, false};
     const DualGraph without = lock_edges(surface_.mesh, graph_, std::span(&lock, 1));
-    std::vector<int> panels;
-    for (int panel = 0; panel < graph_.panel_count(); ++panel) {
-      if (nets_.labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
-    }
-    if (is_connected(restrict_to(without, panels))) return;
+    if (is_connected(restrict_to(without, panels_of(nets_.labels, part)))) return;
     throw InputError("would-fall-apart", {{"what", "fold"}, {"part", part + 1}});
   }
 
@@ -211,13 +207,18 @@ class NetEditor {
     return panels;
   }
 
-  void check_connected(const std::vector<int>& labels, int part, Code if_not) const {
+  /// Panels of a part, by labels of faces; ascending.
+  std::vector<int> panels_of(const std::vector<int>& labels, int part) const {
     std::vector<int> panels;
     for (int panel = 0; panel < graph_.panel_count(); ++panel) {
       if (labels[graph_.panel_faces(panel)[0]] == part) panels.push_back(panel);
     }
-    if (!is_connected(restrict_to(graph_, panels)))
-      throw InputError(if_not, {{"what", "faces"}, {"part", part + 1}});
+    return panels;
+  }
+
+  void check_connected(const std::vector<int>& labels, int part, Code if_not) const {
+    if (is_connected(restrict_to(graph_, panels_of(labels, part)))) return;
+    throw InputError(if_not, {{"what", "faces"}, {"part", part + 1}});
   }
 
   /// Gives parts their numbers after a merge, and returns that of what is merged.

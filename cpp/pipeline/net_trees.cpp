@@ -60,8 +60,7 @@ void keep_place(const Surface& surface, double scale, const LoadedNet& before, S
 /// Number of the mesh edge. \throw InputError if there is none
 int edge_at(const Mesh& mesh, const EdgeName& name) {
   const auto is_it = [&](const Mesh::Edge& edge) {
-    const auto& [a, b] = edge.vertices;
-    return (a == name.from && b == name.to) || (a == name.to && b == name.from);
+    return is_same_edge({edge.vertices[0], edge.vertices[1]}, name);
   };
   const auto found = std::ranges::find_if(mesh.edges, is_it);
   if (found == mesh.edges.end()) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "geometry/union_find.h"
 #include "mesh/input_error.h"
 #include "paper/recut.h"
 #include "pipeline/flat_net.h"
 #include "pipeline/model_size.h"
 #include "pipeline/net_split.h"
+#include "segment/lock_labels.h"
 
 namespace foldwright {
 namespace {
@@ -23,27 +22,11 @@ struct CuttablePlates {
   std::vector<int> folds;
 };
 
-/// Per panel its plate: panels stay together at folds that are never to be cut.
-std::vector<int> plate_numbers(const DualGraph& graph, const FoundNet& found) {
-  UnionFind together(graph.panel_count());
-  for (const int h : found.folds) {
-    const auto& [a, b] = graph.hinges[h].panels;
-    if (graph.hinges[h].stays_fold) together.join(a, b);
-  }
-  std::map<int, int> numbers;
-  std::vector<int> plates;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    const auto next = static_cast<int>(numbers.size());
-    plates.push_back(numbers.try_emplace(together.find(panel), next).first->second);
-  }
-  return plates;
-}
-
 CuttablePlates plates_of(const DualGraph& graph, const FoundNet& found, const Net& net) {
-  const std::vector<int> plate_of = plate_numbers(graph, found);
+  const Labels plate_of = renumbered(locked_groups(graph));
   CuttablePlates cuttable;
   Plates& plates = cuttable.plates;
-  plates.corners.resize(1 + std::ranges::max(plate_of));
+  plates.corners.resize(part_count(plate_of));
   plates.areas.resize(plates.corners.size(), 0);
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
     std::vector<Vec2>& corners = plates.corners[plate_of[panel]];

@@ -294,7 +294,7 @@ class SearchStage : public Stage {
   }
 
   /// After the last exchange borders stand still, and what it did not cure is tried from more seeds
-  /// or gives in.
+  /// or accepted as it is.
   void accept_or_split_rest(JobState& state, TaskQueue& queue, Events& events) {
     for (auto& [part, candidate] : trees_->take_uncured()) {
       Search search{trees_->region(state, part), 0, 0, std::move(candidate), {}};
@@ -310,10 +310,13 @@ class SearchStage : public Stage {
     }
   }
 
-  /// Takes a net without a motion, where none is required, or splits the region.
+  /// Takes a net without a motion, where none is required or no fold of it may be cut, or splits
+  /// the region.
   void accept_or_split(JobState& state, TaskQueue& queue, Search search, Events& events) {
     const bool is_net = search.best.is_net();
-    if (is_net && state.options.folding != FoldingMode::kRequire) {
+    const DualGraph& whole = state.components[search.region.component].graph;
+    const bool must_fold = state.options.folding == FoldingMode::kRequire;
+    if (is_net && (!must_fold || is_held_together(restrict_to(whole, search.region.panels)))) {
       accept(state, std::move(search), events);
     } else if (state.options.solver == Solver::kTree && search.best.overlaps > 0) {
       cut_between_overlaps(state, queue, std::move(search));

@@ -50,7 +50,8 @@ template <class T>
 constexpr bool is_plain = std::is_arithmetic_v<T> || std::is_enum_v<T> ||
                           is_any_of<T, std::array<int, 3>, std::array<int, 2>>;
 
-// One list of fields per structure serves both directions: `value` is const when writing.
+// One list of fields per structure serves both directions: `value` is const when writing. Longer
+// than other functions: it is one list.
 template <class T, class F>
 void each_field(T& value, F& f) {
   if constexpr (is_any_of<T, LearnOptions>) {

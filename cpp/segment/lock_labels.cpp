@@ -9,17 +9,6 @@
 namespace foldwright {
 namespace {
 
-/// Per panel the lowest panel of those that it is held together with.
-std::vector<int> locked_groups(const DualGraph& graph) {
-  UnionFind sets(graph.panel_count());
-  for (const Hinge& hinge : graph.hinges) {
-    if (hinge.stays_fold) sets.join(hinge.panels[0], hinge.panels[1]);
-  }
-  std::vector<int> groups;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) groups.push_back(sets.find(panel));
-  return groups;
-}
-
 /// Gives each group the label that has most of its area.
 void unite_groups(const DualGraph& graph, const std::vector<int>& groups, Labels& labels) {
   std::map<int, std::map<int, double>> areas;  // group -> label -> area
@@ -68,6 +57,21 @@ int longest_neighbour(const DualGraph& graph, const Labels& labels, const std::v
 }
 
 }  // namespace
+
+std::vector<int> locked_groups(const DualGraph& graph) {
+  UnionFind sets(graph.panel_count());
+  for (const Hinge& hinge : graph.hinges) {
+    if (hinge.stays_fold) sets.join(hinge.panels[0], hinge.panels[1]);
+  }
+  std::vector<int> groups;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) groups.push_back(sets.find(panel));
+  return groups;
+}
+
+bool is_held_together(const DualGraph& graph) {
+  const std::vector<int> groups = locked_groups(graph);
+  return std::ranges::count(groups, 0) == graph.panel_count();
+}
 
 Labels keep_locked_together(const DualGraph& graph, Labels labels) {
   if (std::ranges::none_of(graph.hinges, &Hinge::stays_fold)) return labels;

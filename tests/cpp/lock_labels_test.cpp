@@ -85,6 +85,16 @@ TEST(KeepLockedTogether, KeepsPartsConnected) {
   }
 }
 
+TEST(IsHeldTogether, IsSoWhenNoFoldIsLeftToCut) {
+  const Mesh mesh = accordion({1, 1, 1});
+  const DualGraph plain = build_dual_graph(mesh);
+  const int first = plain.hinges[0].edges[0];
+  const int second = plain.hinges[1].edges[0];
+  EXPECT_FALSE(is_held_together(plain));
+  EXPECT_FALSE(is_held_together(locked_at(mesh, {first})));
+  EXPECT_TRUE(is_held_together(locked_at(mesh, {first, second})));
+}
+
 TEST(HalveBetweenLocks, AlwaysMakesHalves) {
   const Mesh mesh = accordion({1, 1, 1, 1});
   const DualGraph plain = build_dual_graph(mesh);

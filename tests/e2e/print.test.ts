@@ -74,6 +74,14 @@ test('how lines look is part of the history, and stays for the next run', () =>
     await page.locator('#redo').click();
     await cuts('0.3').waitFor();
     expect(await page.locator('#print-style').inputValue()).toBe('blender');
+    // No lengths: a solid line.
+    await page.getByText('Colours, widths and dashes').click();
+    await page.fill('#mountain-dash', '');
+    await page.locator('#mountain-dash').press('Tab');
+    await page
+      .locator('.sheet [data-layer="fold-mountain"] :not([stroke-dasharray])')
+      .first()
+      .waitFor();
     await unfold(studio, 'again');
     await cuts('0.3').waitFor();
     expect(await page.locator('#undo').isHidden()).toBe(true);

@@ -3,6 +3,7 @@ import { lookOf } from '../../web/export/line-style.js';
 import { parseCommandLine } from '../../web/cli/command-line.js';
 import { printOptions } from '../../web/model/options.js';
 import { defaultPrint } from '../../web/model/print-options.js';
+import { changedSettings, defaultSettings, lookOptions } from '../../web/model/written-options.js';
 
 const optionsOf = (...args: string[]) =>
   printOptions(parseCommandLine(['a.obj', ...args]).settings);
@@ -37,6 +38,17 @@ describe('print options', () => {
       foldAngles: true,
       legend: false,
     });
+  });
+
+  it.each([
+    [],
+    ['--style', 'pepakura', '--cut-width', '0.4', '--mountain-dash', '2,1,0.5,1'],
+    ['--valley-dash', 'solid', '--valley-colour', '#c02020', '--flap-colour', 'none'],
+    ['--flap-colour', '#eeeeee', '--flat-fold', '12', '--fold-angles', 'on', '--legend', 'off'],
+  ])('can be written down and read again', (...args) => {
+    const looks = optionsOf(...args);
+    const again = changedSettings(defaultSettings(), lookOptions(looks));
+    expect(printOptions(again)).toEqual(looks);
   });
 
   it.each([

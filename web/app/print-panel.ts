@@ -10,7 +10,6 @@ import {
   type PrintStyle,
 } from '../model/print-options.js';
 import { printOptions, type Settings } from '../model/options.js';
-import type { Options } from '../model/written-options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -43,11 +42,6 @@ function parseDash(text: string): number[] | null {
 
 function number(field: HTMLInputElement, fallback: number): number {
   return field.value !== '' && field.validity.valid ? field.valueAsNumber : fallback;
-}
-
-/** What differs from a style, as options have it. */
-function orStyle<Value>(value: Value, ofStyle: Value): Value | 'style' {
-  return value === ofStyle ? 'style' : value;
 }
 
 /** The fields beside the sheets, for how they are drawn: every change shows at once. */
@@ -103,28 +97,6 @@ export class PrintPanel extends Panel {
     return [number(this.across, rulerLength), number(this.up, rulerLength)];
   }
 
-  /** What the fields say, as the options of a document; all but what was measured. */
-  options(): Options {
-    const { style, lines, flaps, flatFold, foldAngles, legend } = this.read();
-    const base = lookOf({ ...defaultPrint, style });
-    const dash = (kind: 'mountain' | 'valley'): string => lines[kind]?.dash?.join(',') ?? 'style';
-    return {
-      style,
-      cutWidth: lines.cut?.width ?? 'style',
-      cutColour: lines.cut?.colour ?? 'style',
-      mountainWidth: lines.mountain?.width ?? 'style',
-      mountainDash: dash('mountain'),
-      mountainColour: lines.mountain?.colour ?? 'style',
-      valleyWidth: lines.valley?.width ?? 'style',
-      valleyDash: dash('valley'),
-      valleyColour: lines.valley?.colour ?? 'style',
-      flapColour: orStyle(flaps ?? 'none', base.flaps),
-      flatFold,
-      foldAngles: foldAngles ? 'on' : 'off',
-      legend: legend ? 'on' : 'off',
-    };
-  }
-
   /** Shows how the sheets of a document look. */
   fill(settings: Settings): void {
     const options = printOptions(settings);
@@ -149,7 +121,9 @@ export class PrintPanel extends Panel {
     return {
       style,
       lines,
-      flaps: this.shaded.checked ? shade : 'none',
+      ...(this.shaded.checked !== (look.flaps !== 'none') && {
+        flaps: this.shaded.checked ? shade : 'none',
+      }),
       flatFold: number(this.flatFold, defaultPrint.flatFold),
       foldAngles: this.angles.checked,
       legend: this.legend.checked,

@@ -2,7 +2,12 @@ import type { JobResult, Notice } from '../model/job.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
-import { changedSettings, isSameLook, type Options } from '../model/written-options.js';
+import {
+  changedSettings,
+  isSameLook,
+  lookOptions,
+  type Options,
+} from '../model/written-options.js';
 import type { FinishedRun } from './finished-run.js';
 import {
   leadSentence,
@@ -75,7 +80,7 @@ export class ResultPanel extends Panel {
 
   /** How sheets shall look, as the fields say it. */
   get look(): Options {
-    return this.print.options();
+    return lookOptions(this.print.read());
   }
 
   /** Hands over a look that is seen but not in the document yet, if there is one. */

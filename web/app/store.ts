@@ -15,6 +15,7 @@ import { failureOf, type Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
+import { mayFollow, paceOf, type Pace } from './pace.js';
 import { never } from './place.js';
 import { RunPictures } from './run-pictures.js';
 
@@ -52,20 +53,6 @@ export interface StoreNeeds {
   /** Ends all work; whoever waits for it waits for ever. */
   life: AbortSignal;
 }
-
-/**
- * How a step goes with others. Names and the look of lines leave the numbers of parts alone (`light`), so
- * others need not wait for them; moves through the history name no parts, so they can follow each other.
- */
-type Pace = 'light' | 'move' | 'change';
-
-const mayFollow: Readonly<Record<Pace, readonly Pace[]>> = {
-  light: ['light'],
-  move: ['light', 'move'],
-  change: ['light'],
-};
-
-const lightKinds: readonly DocumentEdit['kind'][] = ['name', 'print'];
 
 /** A change that is not on the page yet. */
 interface Step {
@@ -225,8 +212,8 @@ export class Store {
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
   apply(edits: readonly DocumentEdit[]): Promise<Ending> {
     if (edits.every((edit) => this.isNamed(edit))) return Promise.resolve({ type: 'nothing' });
-    const pace = edits.every(({ kind }) => lightKinds.includes(kind)) ? 'light' : 'change';
-    return this.step({ pace, edits, make: (session, work) => session.apply(edits, work) });
+    const make: Step['make'] = (session, work) => session.apply(edits, work);
+    return this.step({ pace: paceOf(edits), edits, make });
   }
 
   /** Takes the last edit back, also one that is still on its way to the page. */
@@ -255,7 +242,7 @@ export class Store {
   }
 
   private accepts(pace: Pace): boolean {
-    return !this.isRunning && this.steps.every((step) => mayFollow[pace].includes(step.pace));
+    return !this.isRunning && this.steps.every((step) => mayFollow(pace, step.pace));
   }
 
   /** Each run has a session of its own: that of the page stays until there is another run to show. */

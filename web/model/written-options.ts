@@ -2,6 +2,7 @@
 import { BadValue } from './option-values.js';
 import { printOptions, rows, sizings, type Row, type Settings } from './options.js';
 import type { PaperSize } from './paper.js';
+import type { PrintOptions } from './print-options.js';
 
 type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
@@ -68,6 +69,31 @@ function parsed(name: string, value: unknown): unknown {
     if (!(error instanceof BadValue)) throw error;
     throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);
   }
+}
+
+/** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
+export function lookOptions(print: PrintOptions): Options {
+  const { lines, flatFold, foldAngles, legend } = print;
+  const dash = (kind: 'mountain' | 'valley'): string => {
+    const lengths = lines[kind]?.dash;
+    if (!lengths) return 'style';
+    return lengths.length > 0 ? lengths.join(',') : 'solid';
+  };
+  return {
+    style: print.style,
+    cutWidth: lines.cut?.width ?? 'style',
+    cutColour: lines.cut?.colour ?? 'style',
+    mountainWidth: lines.mountain?.width ?? 'style',
+    mountainDash: dash('mountain'),
+    mountainColour: lines.mountain?.colour ?? 'style',
+    valleyWidth: lines.valley?.width ?? 'style',
+    valleyDash: dash('valley'),
+    valleyColour: lines.valley?.colour ?? 'style',
+    flapColour: print.flaps ?? 'style',
+    flatFold,
+    foldAngles: foldAngles ? 'on' : 'off',
+    legend: legend ? 'on' : 'off',
+  };
 }
 
 /** Whether sheets look the same by two settings. */

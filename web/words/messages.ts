@@ -161,3 +161,6 @@ export type Code = keyof Messages;
 
 /** A message whose code is known. */
 export type KnownMessage = { [Name in Code]: { code: Name; params: Messages[Name] } }[Code];
+
+/** One function per code, from its parameters to a phrase. */
+export type Table = { readonly [Code in keyof Messages]: (params: Messages[Code]) => string };

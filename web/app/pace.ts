@@ -1,0 +1,26 @@
+/** Which change of a document need not wait for which. */
+import type { DocumentEdit } from '../model/document-edits.js';
+
+/**
+ * How a step goes with others. Names and the look of lines leave the numbers of parts alone (`light`), so
+ * others need not wait for them; moves through the history name no parts, so they can follow each other.
+ */
+export type Pace = 'light' | 'move' | 'change';
+
+const followed: Readonly<Record<Pace, readonly Pace[]>> = {
+  light: ['light'],
+  move: ['light', 'move'],
+  change: ['light'],
+};
+
+const lightKinds: readonly DocumentEdit['kind'][] = ['name', 'print'];
+
+/** The pace of edits that are made in one go. */
+export function paceOf(edits: readonly DocumentEdit[]): Pace {
+  return edits.every(({ kind }) => lightKinds.includes(kind)) ? 'light' : 'change';
+}
+
+/** Whether a step may be asked for while another one is on its way to the page. */
+export function mayFollow(next: Pace, before: Pace): boolean {
+  return followed[next].includes(before);
+}
