@@ -10,3 +10,7 @@ foreach(source ${bench_sources})
     make_node_program(bench_${name})
   endif()
 endforeach()
+
+# All of them: the tests build these as well, so that no change leaves one behind.
+list(TRANSFORM bench_sources REPLACE ".*/([a-z_]+)\\.cpp$" "bench_\\1" OUTPUT_VARIABLE benches)
+add_custom_target(benchmarks DEPENDS ${benches})

@@ -17,7 +17,7 @@ const groups = {
     build();
     // The tests alone: linking the benchmarks as WASM would take longer than running all tests.
     buildEngine('wasm', ['foldwright_tests']);
-    buildEngine('native', ['foldwright_tests']);
+    buildEngine('native', ['foldwright_tests', 'benchmarks']);
     buildEngine('fuzz', ['fuzzers']);
   },
   lint: () => node('scripts/lint.mjs'),

@@ -12,9 +12,10 @@ namespace foldwright::testing {
 inline JobState learn_model(const std::filesystem::path& file, const JobOptions& options) {
   JobState state;
   const std::string bytes = bytes_of(file);
-  state.file.resize(bytes.size());
-  std::memcpy(state.file.data(), bytes.data(), bytes.size());
-  state.file_name = file.filename().string();
+  ModelFile& model = state.files.emplace_back();
+  model.name = file.filename().string();
+  model.bytes.resize(bytes.size());
+  std::memcpy(model.bytes.data(), bytes.data(), bytes.size());
   state.options = options;
   TaskQueue queue;
   Events events;

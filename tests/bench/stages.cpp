@@ -54,7 +54,7 @@ Seconds time_job(const std::string& text, int parts) {
     seconds[stage] += std::chrono::duration<double>(Clock::now() - start).count();
     if (events.empty()) continue;
     if (const auto* error = std::get_if<ErrorEvent>(&events.back())) {
-      std::fprintf(stderr, "%s\n", error->text.c_str());
+      std::fprintf(stderr, "%s\n", describe(error->message).c_str());
       std::exit(1);
     }
   }
