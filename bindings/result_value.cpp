@@ -84,15 +84,17 @@ val motion_value(const Piece& piece) {
 }
 
 val flaps_value(const std::vector<Flap>& flaps) {
-  std::vector<int> edges;
+  std::vector<int> edges, bases;
   std::vector<double> corners, angles;
   for (const Flap& flap : flaps) {
     edges.push_back(flap.edge);
+    bases.insert(bases.end(), flap.base.begin(), flap.base.end());
     for (const Vec2& p : flap.corners) corners.insert(corners.end(), {p.x(), p.y()});
     angles.push_back(flap.angle * 180 / std::numbers::pi);
   }
   val object = val::object();
   object.set("edges", ints(edges));
+  object.set("bases", ints(bases));
   object.set("corners", doubles(corners));
   object.set("angles", doubles(angles));
   return object;
@@ -146,7 +148,7 @@ val strip_value(const Strip& strip) {
   std::vector<double> outline;
   for (const Vec2& p : strip.outline) outline.insert(outline.end(), {p.x(), p.y()});
   val object = val::object();
-  object.set("id", strip.number);
+  object.set("id", strip.id);
   object.set("modelEdge", strip.mesh_edge);
   object.set("sheet", strip.sheet);
   object.set("outline", doubles(outline));
@@ -159,7 +161,7 @@ val strip_value(const Strip& strip) {
 val ids_value(const JobResult& result) {
   val object = val::object();
   object.set("printed", result.printed_ids);
-  object.set("skipped", ints(result.skipped_ids));
+  object.set("skipped", list(result.skipped_ids, [](const std::string& id) { return val(id); }));
   return object;
 }
 

@@ -15,8 +15,6 @@ constexpr double kStep = 0.6;
 constexpr double kReach = 12;
 // Between the end of a line and the edge that it leads to.
 constexpr double kToEdge = 0.25;
-// Texts as large as lines can lead to without getting in the way of others.
-constexpr double kLargest = 1.7;
 
 /// Where the way from the middle of a box to a point leaves the box.
 Vec2 exit_of(const TextBox& box, const Vec2& towards) {
@@ -56,7 +54,7 @@ CalloutFinder::CalloutFinder(const Net& net, double least_size, double clearance
 }
 
 std::optional<Callout> CalloutFinder::find(const LabelSpace& space, const SeamSide& side,
-                                           const std::string& text) {
+                                           const std::string& text, std::span<const double> sizes) {
   const Vec2 middle = 0.5 * (side.from + side.to);
   const int x0 = static_cast<int>(std::lround((middle.x() - origin_.x()) / kStep));
   const int y0 = static_cast<int>(std::lround((middle.y() - origin_.y()) / kStep));
@@ -64,7 +62,7 @@ std::optional<Callout> CalloutFinder::find(const LabelSpace& space, const SeamSi
     const Vec2 centre = origin_ + kStep * Vec2(x0 + dx, y0 + dy);
     if (cross(side.to - side.from, centre - side.from) <= 0) continue;
     if (!is_open(space, x0 + dx, y0 + dy)) continue;
-    if (auto found = try_at(space, side, text, centre)) return found;
+    if (auto found = try_at(space, side, text, sizes, centre)) return found;
   }
   return std::nullopt;
 }
@@ -99,10 +97,11 @@ bool CalloutFinder::is_open(const LabelSpace& space, int x, int y) {
 }
 
 std::optional<Callout> CalloutFinder::try_at(const LabelSpace& space, const SeamSide& side,
-                                             const std::string& text, const Vec2& centre) const {
+                                             const std::string& text, std::span<const double> sizes,
+                                             const Vec2& centre) const {
   const Vec2 edge = (side.to - side.from).normalized();
   const Vec2 end = 0.5 * (side.from + side.to) + kToEdge * Vec2(-edge.y(), edge.x());
-  for (const double size : {kLargest, least_size_}) {
+  for (const double size : sizes) {
     for (const Vec2& along : {edge, Vec2(1, 0), Vec2(0, 1)}) {
       const TextBox box = box_around(text, size, centre, along, clearance_);
       if (!space.is_free(box)) continue;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "paper/label_space.h"
 #include "paper/seams.h"
@@ -22,8 +23,9 @@ class CalloutFinder {
 
   /// The place nearest to the middle of the edge, within 12 mm on its inner side, that touches
   /// nothing, and to which a line leads that leaves the paper nowhere and touches no text.
+  /// `sizes`: in the order in which they are tried, mm.
   std::optional<Callout> find(const LabelSpace& space, const SeamSide& side,
-                              const std::string& text);
+                              const std::string& text, std::span<const double> sizes);
 
  private:
   enum class Point : char { kUnknown, kOpen, kTaken };
@@ -35,7 +37,8 @@ class CalloutFinder {
   bool is_inside(const Vec2& p) const;
   bool is_open(const LabelSpace& space, int x, int y);
   std::optional<Callout> try_at(const LabelSpace& space, const SeamSide& side,
-                                const std::string& text, const Vec2& centre) const;
+                                const std::string& text, std::span<const double> sizes,
+                                const Vec2& centre) const;
 
   const Net& net_;
   double least_size_, clearance_;

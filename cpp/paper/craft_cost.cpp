@@ -48,8 +48,46 @@ CraftCost::CraftCost(const Mesh& mesh, const DualGraph& graph, const CraftOption
   seen_.assign(graph.triangles.size(), 0);
 }
 
+/// The edges of a panel that may be cut, straight runs along a hinge as one; by slot, then corner.
+std::vector<CraftCost::EdgeRun> CraftCost::runs_of_panel(
+    const Mesh& mesh, int panel, const std::map<int, int>& hinge_of,
+    const std::map<int, double>& elsewhere) const {
+  const DualGraph& graph = *graph_;
+  std::vector<EdgeRun> edges;
+  std::map<std::pair<int, int>, int> starts, ends;  // by hinge and vertex: which of them
+  for (int slot = graph.first_face[panel]; slot < graph.first_face[panel + 1]; ++slot) {
+    const int face = graph.faces[slot];
+    for (int i = 0; i < 3; ++i) {
+      const int e = mesh.face_edges[face][i];
+      const auto hinge = hinge_of.find(e);
+      if (hinge == hinge_of.end() && !elsewhere.contains(e)) continue;
+      const int h = hinge == hinge_of.end() ? -1 : hinge->second;
+      const int from = mesh.faces[face][i];
+      const int to = mesh.faces[face][(i + 1) % 3];
+      // At the border of the piece each edge stands for itself.
+      if (h != -1) {
+        starts[{h, from}] = static_cast<int>(edges.size());
+        ends[{h, to}] = static_cast<int>(edges.size());
+      }
+      edges.push_back({slot, i, h, from, to, e});
+    }
+  }
+  std::vector<EdgeRun> runs;
+  for (const EdgeRun& edge : edges) {
+    if (ends.contains({edge.hinge, edge.from})) continue;
+    EdgeRun& run = runs.emplace_back(edge);
+    for (auto next = starts.find({run.hinge, run.to}); next != starts.end();
+         next = starts.find({run.hinge, run.to})) {
+      run.to = edges[next->second].to;
+      run.lowest = std::min(run.lowest, edges[next->second].lowest);
+    }
+  }
+  return runs;
+}
+
 void CraftCost::add_sides(const Mesh& mesh) {
   const DualGraph& graph = *graph_;
+  const MeshPanels panels(mesh);
   std::map<int, int> hinge_of, seam_of;  // by mesh edge
   for (int h = 0; h < graph.hinge_count(); ++h) {
     for (const int e : graph.hinges[h].edges) hinge_of[e] = h;
@@ -57,54 +95,47 @@ void CraftCost::add_sides(const Mesh& mesh) {
   std::map<int, double> elsewhere;
   for (const BorderRoom& border : options_.borders) elsewhere[border.mesh_edge] = border.height;
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    for (int slot = graph.first_face[panel]; slot < graph.first_face[panel + 1]; ++slot) {
-      first_side_.push_back(static_cast<int>(sides_.size()));
-      const int face = graph.faces[slot];
-      for (int i = 0; i < 3; ++i) {
-        const int e = mesh.face_edges[face][i];
-        const auto hinge = hinge_of.find(e);
-        const auto border = elsewhere.find(e);
-        if (hinge == hinge_of.end() && border == elsewhere.end()) continue;
-        const Side side = make_side(mesh, slot, i);
-        if (side.length <= kWantedLength) continue;
-        const auto [seam, is_new] = seam_of.emplace(e, static_cast<int>(seams_.size()));
-        const auto index = static_cast<int>(sides_.size());
-        if (is_new) {
-          seams_.push_back({e,
-                            hinge == hinge_of.end() ? -1 : hinge->second,
-                            {index, -1},
-                            hinge == hinge_of.end() ? border->second : 0});
-        } else {
-          seams_[seam->second].sides[1] = index;
-        }
-        seam_of_side_.push_back(seam->second);
-        sides_.push_back(side);
+    for (const EdgeRun& run : runs_of_panel(mesh, panel, hinge_of, elsewhere)) {
+      const Side side = make_side(mesh, panels, run);
+      if (side.length <= kWantedLength) continue;
+      while (static_cast<int>(first_side_.size()) <= run.slot) {
+        first_side_.push_back(static_cast<int>(sides_.size()));
       }
+      const auto [seam, is_new] = seam_of.emplace(run.lowest, static_cast<int>(seams_.size()));
+      const auto index = static_cast<int>(sides_.size());
+      if (is_new) {
+        const double height = run.hinge == -1 ? elsewhere.at(run.lowest) : 0;
+        seams_.push_back({run.lowest, run.hinge, {index, -1}, height});
+      } else {
+        seams_[seam->second].sides[1] = index;
+      }
+      seam_of_side_.push_back(seam->second);
+      sides_.push_back(side);
     }
   }
-  first_side_.push_back(static_cast<int>(sides_.size()));
+  first_side_.resize(graph.triangles.size() + 1, static_cast<int>(sides_.size()));
   seams_of_hinge_.resize(graph.hinge_count());
   for (std::size_t s = 0; s < seams_.size(); ++s) {
     if (seams_[s].hinge != -1) seams_of_hinge_[seams_[s].hinge].push_back(static_cast<int>(s));
   }
 }
 
-CraftCost::Side CraftCost::make_side(const Mesh& mesh, int slot, int corner) const {
-  const int face = graph_->faces[slot];
-  const int e = mesh.face_edges[face][corner];
-  const Mesh::Edge& edge = mesh.edges[e];
+CraftCost::Side CraftCost::make_side(const Mesh& mesh, const MeshPanels& panels,
+                                     const EdgeRun& run) const {
+  const int face = graph_->faces[run.slot];
+  const Mesh::Edge& edge = mesh.edges[mesh.face_edges[face][run.corner]];
   const int across = edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
-  const Vec3& from = mesh.positions[mesh.faces[face][corner]];
-  const Vec3& to = mesh.positions[mesh.faces[face][(corner + 1) % 3]];
-  Side side{slot, corner, (to - from).norm() * options_.scale, Vec2::Zero(), 0};
-  for (const int vertex : mesh.faces[across]) {
-    if (vertex == edge.vertices[0] || vertex == edge.vertices[1]) continue;
-    const Vec3 p = mesh.positions[vertex] - from;
-    const double along = p.dot((to - from).normalized());
-    side.apex =
-        options_.scale * Vec2(along, std::sqrt(std::max(0.0, p.squaredNorm() - along * along)));
-  }
-  const auto open = best_flap(open_room(side.length, probe_.height), side.apex, probe_);
+  const Vec3& from = mesh.positions[run.from];
+  const Vec3& next = mesh.positions[mesh.faces[face][(run.corner + 1) % 3]];
+  Side side{run.slot,
+            run.corner,
+            (next - from).norm() * options_.scale,
+            (mesh.positions[run.to] - from).norm() * options_.scale,
+            panels.beyond(across, {run.from, run.to}, options_.scale),
+            0};
+  RoomProfile room = open_room(side.length, probe_.height);
+  lower_below(room, side.cover);
+  const auto open = best_flap(room, side.cover.lean, probe_);
   side.open = open ? open->height : 0;
   return side;
 }
@@ -126,8 +157,9 @@ double CraftCost::seam_cost(double height) const {
 
 Box2 CraftCost::reach_of(const Side& side, const Triangle2& face) const {
   const Vec2& from = face[side.corner];
-  const Vec2& to = face[(side.corner + 1) % 3];
-  const Vec2 out = options_.shape.height / side.length * Vec2(to.y() - from.y(), from.x() - to.x());
+  const Vec2 along = (face[(side.corner + 1) % 3] - from) / side.edge_length;
+  const Vec2 to = from + side.length * along;
+  const Vec2 out = options_.shape.height * Vec2(along.y(), -along.x());
   return box_of(std::array<Vec2, 4>{from, to, from + out, to + out});
 }
 
@@ -297,7 +329,7 @@ double CraftCost::measure(int s) {
   const Side& side = sides_[s];
   const Placed& own = moves_[side.slot] ? trial_placed_[side.slot] : placed_[side.slot];
   const Vec2& from = own.face[side.corner];
-  const Vec2 along = (own.face[(side.corner + 1) % 3] - from) / side.length;
+  const Vec2 along = (own.face[(side.corner + 1) % 3] - from) / side.edge_length;
   const Box2 reach = moves_[side.slot] ? reach_of(side, own.face) : reach_[s];
   bool is_open = true;
   const auto lower = [&](const Placed& obstacle) {
@@ -326,7 +358,8 @@ double CraftCost::measure(int s) {
   work_ += 1 + static_cast<std::int64_t>(moved_slots_.size()) / 100;
   if (is_open) return side.open;
   work_ += 2;
-  const auto flap = best_flap(profile_, side.apex, probe_);
+  lower_below(profile_, side.cover);
+  const auto flap = best_flap(profile_, side.cover.lean, probe_);
   return flap ? flap->height : 0;
 }
 

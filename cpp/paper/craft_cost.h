@@ -5,6 +5,7 @@
 
 #include "geometry/box_grid.h"
 #include "paper/flaps.h"
+#include "paper/mesh_panels.h"
 #include "paper/silhouette.h"
 #include "unfold/tree_cost.h"
 
@@ -54,16 +55,24 @@ class CraftCost : public TreeCost {
   std::vector<BorderRoom> border_rooms();
 
  private:
-  /// One copy of an edge that may be cut; mm.
+  /// One copy of a run of edges that may be cut, all along one hinge; mm.
   struct Side {
-    int slot, corner;  ///< its face among those of the graph, and the corner it starts from
-    double length;
-    Vec2 apex;    ///< third corner of the face across, in the coordinates of the base
-    double open;  ///< height of the flap where nothing is in the way
+    int slot, corner;    ///< the face of its first edge in the graph, and the corner it starts from
+    double edge_length;  ///< of the first edge
+    double length;       ///< of the whole run
+    FlapCover cover;     ///< the panel across
+    double open;         ///< height of the flap where nothing is in the way
   };
-  /// The sides of one mesh edge.
+  /// Edges of a panel one after the other, from a corner of the face in a slot.
+  struct EdgeRun {
+    int slot, corner;
+    int hinge;     ///< -1 at the border of the piece
+    int from, to;  ///< vertices of the mesh
+    int lowest;    ///< mesh edge
+  };
+  /// The sides of one run.
   struct Seam {
-    int mesh_edge;
+    int mesh_edge;             ///< the lowest of the run
     int hinge;                 ///< -1 at the border of the piece
     std::array<int, 2> sides;  ///< second: -1 at the border
     double elsewhere;          ///< height to be counted on in another piece
@@ -80,8 +89,11 @@ class CraftCost : public TreeCost {
 
   static constexpr double kUnknown = -1;
 
+  std::vector<EdgeRun> runs_of_panel(const Mesh& mesh, int panel,
+                                     const std::map<int, int>& hinge_of,
+                                     const std::map<int, double>& elsewhere) const;
   void add_sides(const Mesh& mesh);
-  Side make_side(const Mesh& mesh, int slot, int corner) const;
+  Side make_side(const Mesh& mesh, const MeshPanels& panels, const EdgeRun& run) const;
   double total(const Terms& terms) const;
   double seam_cost(double height) const;
   bool is_cut(int side) const;

@@ -23,25 +23,29 @@ bool is_free(const SeamSide& side, const Trapezoid& flap,
   });
 }
 
+/// Whether a flap stays within its cover.
+bool is_covered(const Trapezoid& flap, const FlapCover& cover) {
+  const std::array<Vec2, 4> corners = {Vec2(flap.foot[0], 0), Vec2(flap.foot[1], 0),
+                                       Vec2(flap.top[1], flap.height),
+                                       Vec2(flap.top[0], flap.height)};
+  return std::ranges::none_of(cover.borders, [&](const std::array<Vec2, 2>& border) {
+    return convex_overlap(corners, border, kTouching);
+  });
+}
+
 /// The flap with its feet at the ends of the edge where nothing is in the way: the profile is too
 /// coarse to tell next to a corner.
-Trapezoid widened(const SeamSide& side, Trapezoid flap, std::span<const Polygon* const> obstacles) {
+Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
+                  std::span<const Polygon* const> obstacles) {
   for (const int end : {0, 1}) {
     Trapezoid wider = flap;
     wider.foot[end] = end == 0 ? 0 : side.length();
-    if (is_free(side, wider, obstacles)) flap = wider;
+    if (is_free(side, wider, obstacles) && is_covered(wider, cover)) flap = wider;
   }
   return flap;
 }
 
 }  // namespace
-
-Vec2 apex_beyond(const SeamSide& side, const SeamSide& other) {
-  const Vec2 p = other.local(other.third);
-  return {side.length() - p.x(), -p.y()};
-}
-
-Vec2 open_apex(const SeamSide& side) { return {0.5 * side.length(), 1e9}; }
 
 std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
   return {side.global({flap.foot[0], 0}), side.global({flap.top[0], flap.height}),
@@ -62,14 +66,15 @@ FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygo
   }
 }
 
-std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
+std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& cover,
                                         const FlapShape& shape) const {
-  return best(side, apex, shape, near(side, shape.height));
+  return best(side, cover, shape, near(side, shape.height));
 }
 
-FlapMiss FlapRoom::why_none(const SeamSide& side, const Vec2& apex, const FlapShape& shape) const {
+FlapMiss FlapRoom::why_none(const SeamSide& side, const FlapCover& cover,
+                            const FlapShape& shape) const {
   if (side.length() < shortest_base(shape)) return FlapMiss::kShort;
-  if (!best(side, apex, shape, {})) return FlapMiss::kThin;
+  if (!best(side, cover, shape, {})) return FlapMiss::kThin;
   std::vector<const Polygon*> beside;
   for (const Polygon* obstacle : near(side, shape.height)) {
     const bool touches = std::ranges::any_of(
@@ -78,26 +83,34 @@ FlapMiss FlapRoom::why_none(const SeamSide& side, const Vec2& apex, const FlapSh
     const bool is_face = index < static_cast<std::ptrdiff_t>(nets_[side.net].corners.size());
     if (touches && is_face) beside.push_back(obstacle);
   }
-  return best(side, apex, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
+  return best(side, cover, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
 }
 
-void FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
-  add(side.net, flap_corners(side, flap));
+int FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
+  return add(side.net, flap_corners(side, flap));
 }
 
-void FlapRoom::add(int net, Polygon polygon) {
+void FlapRoom::give_back(const SeamSide& side, int taken) {
+  Obstacles& all = obstacles_[side.net];
+  all.grid.remove(taken, box_of(all.polygons[taken]));
+}
+
+int FlapRoom::add(int net, Polygon polygon) {
   Obstacles& all = obstacles_[net];
-  all.grid.insert(static_cast<int>(all.polygons.size()), box_of(polygon));
+  const int index = static_cast<int>(all.polygons.size());
+  all.grid.insert(index, box_of(polygon));
   all.polygons.push_back(std::move(polygon));
+  return index;
 }
 
-/// Obstacles near the base of a flap so high, without the face it belongs to.
+/// Obstacles near the base of a flap so high, without the faces it belongs to.
 std::vector<const Polygon*> FlapRoom::near(const SeamSide& side, double height) const {
   const Box2 reach = box_of(std::array{side.from, side.to}).grown(height + 1);
   const Obstacles& all = obstacles_[side.net];
   std::vector<int> found;
   all.grid.visit(reach, [&](int i) {
-    if (i != side.face && box_of(all.polygons[i]).meets(reach)) found.push_back(i);
+    const bool is_own = std::ranges::find(side.faces, i) != side.faces.end();
+    if (!is_own && box_of(all.polygons[i]).meets(reach)) found.push_back(i);
     return true;
   });
   std::ranges::sort(found);
@@ -107,7 +120,7 @@ std::vector<const Polygon*> FlapRoom::near(const SeamSide& side, double height) 
   return obstacles;
 }
 
-std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
+std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& cover,
                                         const FlapShape& shape,
                                         std::span<const Polygon* const> obstacles) {
   RoomProfile profile = open_room(side.length(), shape.height, kFineBin);
@@ -116,10 +129,11 @@ std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const Vec2& apex,
     for (const Vec2& p : *obstacle) local.push_back(side.local(p));
     lower_below(profile, local);
   }
-  const auto found = best_flap(profile, apex, shape);
+  lower_below(profile, cover);
+  const auto found = best_flap(profile, cover.lean, shape);
   // The profile sees the outlines of what is in the way, not what covers the base altogether.
   if (!found || !is_free(side, *found, obstacles)) return std::nullopt;
-  return widened(side, *found, obstacles);
+  return widened(side, *found, cover, obstacles);
 }
 
 }  // namespace foldwright

@@ -18,12 +18,6 @@ enum class FlapMiss {
   kBlocked  ///< other faces or flaps are in the way
 };
 
-/// The third corner of the face beyond a cut, unfolded across the edge of `side`.
-Vec2 apex_beyond(const SeamSide& side, const SeamSide& other);
-
-/// An apex so far away that it limits nothing: of edges that have no face beyond.
-Vec2 open_apex(const SeamSide& side);
-
 /// Corners of a flap in the net's coordinates: foot, top, top, foot, counter-clockwise.
 std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap);
 
@@ -36,17 +30,18 @@ class FlapRoom {
   /// given must outlive this.
   FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off);
 
-  /// The highest flap of a shape that fits a side, within the triangle over it with this apex; none
-  /// if not even the least does.
-  std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
+  /// The highest flap of a shape that fits a side and lies within the cover, which is that of the
+  /// panel beyond; none if not even the least does.
+  std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
                                 const FlapShape& shape) const;
 
   /// What keeps a side from a flap, the first of the reasons in their order.
   /// \pre `best` finds none
-  FlapMiss why_none(const SeamSide& side, const Vec2& apex, const FlapShape& shape) const;
+  FlapMiss why_none(const SeamSide& side, const FlapCover& cover, const FlapShape& shape) const;
 
-  /// Takes up the room of a flap.
-  void take(const SeamSide& side, const Trapezoid& flap);
+  /// Takes up the room of a flap; a number by which it can be given back.
+  int take(const SeamSide& side, const Trapezoid& flap);
+  void give_back(const SeamSide& side, int taken);
 
  private:
   /// Polygons of one net that flaps must not overlap: its faces, then all else.
@@ -55,9 +50,9 @@ class FlapRoom {
     BoxGrid<2> grid;
   };
 
-  void add(int net, Polygon polygon);
+  int add(int net, Polygon polygon);
   std::vector<const Polygon*> near(const SeamSide& side, double height) const;
-  static std::optional<Trapezoid> best(const SeamSide& side, const Vec2& apex,
+  static std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
                                        const FlapShape& shape,
                                        std::span<const Polygon* const> obstacles);
 

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
-#include <string>
 #include <tuple>
 
 #include "mesh/input_error.h"
-#include "paper/outline.h"
+#include "paper/flap_sides.h"
 #include "paper/seams.h"
 
 namespace foldwright {
 namespace {
-
-/// A side of a seam, by its index; -1: none.
-using SideIndex = int;
 
 std::tuple<double, double> rank_of(const std::optional<Trapezoid>& flap) {
   if (!flap) return {0, 0};
@@ -23,7 +20,7 @@ std::tuple<double, double> rank_of(const std::optional<Trapezoid>& flap) {
 }
 
 /// The same flaps seen along the edge the other way.
-EdgeFlaps from_behind(EdgeFlaps flaps) {
+EdgeFlaps seen_from_behind(EdgeFlaps flaps) {
   if (flaps == EdgeFlaps::kLeft) return EdgeFlaps::kRight;
   if (flaps == EdgeFlaps::kRight) return EdgeFlaps::kLeft;
   return flaps;
@@ -33,6 +30,7 @@ EdgeFlaps from_behind(EdgeFlaps flaps) {
 struct EdgeChoice {
   EdgeFlaps flaps;
   double height;  ///< mm; 0: as all others
+  int order;      ///< among all choices
 };
 
 /// The choices, by mesh edge.
@@ -41,13 +39,14 @@ std::map<int, EdgeChoice> choices_by_edge(const Mesh& mesh, std::span<const Flap
   if (choices.empty()) return chosen;
   std::map<std::array<int, 2>, int> edges;
   for (int e = 0; e < mesh.edge_count(); ++e) edges[mesh.edges[e].vertices] = e;
+  int order = 0;
   for (const auto& [from, to, flaps, height] : choices) {
     const auto ahead = edges.find({from, to});
     const auto back = edges.find({to, from});
     if (ahead != edges.end()) {
-      chosen[ahead->second] = {flaps, height};
+      chosen[ahead->second] = {flaps, height, order++};
     } else if (back != edges.end()) {
-      chosen[back->second] = {from_behind(flaps), height};
+      chosen[back->second] = {seen_from_behind(flaps), height, order++};
     } else {
       throw InputError("bad-option", {{"what", "flap-edge"}, {"from", from}, {"to", to}});
     }
@@ -55,35 +54,15 @@ std::map<int, EdgeChoice> choices_by_edge(const Mesh& mesh, std::span<const Flap
   return chosen;
 }
 
-/// Per seam the side on which a flap is preferred: along each outline on every other edge that has
-/// no preference yet.
-std::vector<SideIndex> preferred_in_turn(std::span<const Net> nets, std::span<const Seam> seams) {
-  std::vector<std::vector<std::pair<int, int>>> seam_of(nets.size());  // seam, side; by edge
-  for (std::size_t n = 0; n < nets.size(); ++n) seam_of[n].resize(nets[n].edges.size(), {-1, 0});
-  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
-    for (const int s : {0, 1}) {
-      const SeamSide& side = seams[i].sides[s];
-      seam_of[side.net][side.edge] = {i, s};
-    }
-  }
-  std::vector<SideIndex> preferred(seams.size(), -1);
-  for (std::size_t n = 0; n < nets.size(); ++n) {
-    std::vector<int> edge_from(nets[n].vertices.size(), -1);
-    for (std::size_t e = 0; e < nets[n].edges.size(); ++e) {
-      if (seam_of[n][e].first != -1) edge_from[nets[n].edges[e].vertices[0]] = static_cast<int>(e);
-    }
-    bool here = true;
-    for (const std::vector<int>& walk : boundary_walks(nets[n])) {
-      for (const int vertex : walk) {
-        if (edge_from[vertex] == -1) continue;
-        const auto [seam, side] = seam_of[n][edge_from[vertex]];
-        // An edge that another piece decided about sets the turn, too.
-        if (preferred[seam] == -1) preferred[seam] = here ? side : 1 - side;
-        here = preferred[seam] != side;
-      }
-    }
-  }
-  return preferred;
+/// How far a flap at a concave corner leans in per height to leave half of it to the flap of the
+/// edge beside it; `out`, `back`: along the two edges away from the corner, the paper on the left
+/// of `out`.
+std::optional<double> half_corner(const Vec2& out, const Vec2& back) {
+  // Of the corner's angle outside the paper, from `out` clockwise to `back`.
+  double angle = std::atan2(cross(back, out), back.dot(out));
+  if (angle < 0) angle += 2 * std::numbers::pi;
+  if (angle >= std::numbers::pi) return std::nullopt;
+  return 1 / std::tan(std::max(0.5 * angle, 1e-6));
 }
 
 class FlapPlacer {
@@ -93,16 +72,22 @@ class FlapPlacer {
       : mesh_(mesh),
         nets_(nets),
         options_(options),
-        seams_(find_seams(nets)),
+        panels_(panels_of(nets)),
+        seams_(find_seams(nets, panels_)),
         choices_(choices_by_edge(mesh, options.choices)),
         room_(nets, keep_off),
-        preferred_(seams_.size(), -1) {
-    if (options.side == FlapSide::kAlternate) preferred_ = preferred_in_turn(nets, seams_);
-    plan_.flaps.resize(nets.size());
+        corners_(seams_.size()),
+        chosen_(seams_.size(), -1),
+        placed_(seams_.size()) {
+    find_corners();
   }
 
   FlapPlan place() {
-    for (const int i : by_scarcity()) serve(i);
+    choose_sides();
+    const std::vector<int> order = by_scarcity();
+    for (const int seam : order) serve(seam);
+    for (const int seam : order) serve_again(seam);
+    finish(order);
     if (options_.borders || !mesh_.joints.empty()) serve_borders();
     for (auto& flaps : plan_.flaps) {
       std::ranges::sort(flaps, {}, [](const Flap& flap) { return flap.edge; });
@@ -117,18 +102,63 @@ class FlapPlacer {
     std::array<bool, 2> allowed;
     bool both;
   };
+  /// A flap where it is.
+  struct PlacedFlap {
+    Trapezoid shape;
+    int taken;  ///< see `FlapRoom::take`
+  };
+  /// What a side of a seam meets at a concave corner at one of its ends.
+  struct Corner {
+    SeamStep other = {-1, 0};  ///< the side beside it
+    double lean = 0;           ///< see `half_corner`
+  };
 
-  /// What a person chose for an edge.
-  EdgeFlaps flaps_at(int mesh_edge) const {
-    const auto chosen = choices_.find(mesh_edge);
-    return chosen == choices_.end() ? EdgeFlaps::kUsual : chosen->second.flaps;
+  /// Notes where sides of seams meet at concave corners.
+  void find_corners() {
+    std::map<std::pair<int, int>, SeamStep> starts;  // by net and vertex
+    for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
+      for (const int s : {0, 1}) {
+        const SeamSide& side = seams_[i].sides[s];
+        starts[{side.net, base_of(side)[0]}] = {i, s};
+      }
+    }
+    for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
+      for (const int s : {0, 1}) {
+        const SeamSide& side = seams_[i].sides[s];
+        const auto next = starts.find({side.net, base_of(side)[1]});
+        if (next == starts.end() || next->second.seam == i) continue;
+        const auto& [j, t] = next->second;
+        const SeamSide& beside = seams_[j].sides[t];
+        const auto lean = half_corner(beside.to - beside.from, side.from - side.to);
+        if (!lean) continue;
+        corners_[i][s][1] = {{j, t}, *lean};
+        corners_[j][t][0] = {{i, s}, *lean};
+      }
+    }
   }
 
-  /// How flaps at an edge may look.
-  FlapShape shape_at(int mesh_edge) const {
+  std::array<int, 2> base_of(const SeamSide& side) const {
+    const Net& net = nets_[side.net];
+    return {net.edges[side.edges.front()].vertices[0], net.edges[side.edges.back()].vertices[1]};
+  }
+
+  /// What a person chose for a seam, seen along the edge that was named; null: nothing.
+  const std::pair<const int, EdgeChoice>* choice_at(std::span<const int> mesh_edges) const {
+    const std::pair<const int, EdgeChoice>* latest = nullptr;
+    if (choices_.empty()) return latest;
+    for (const int e : mesh_edges) {
+      const auto chosen = choices_.find(e);
+      if (chosen == choices_.end()) continue;
+      if (!latest || chosen->second.order > latest->second.order) latest = &*chosen;
+    }
+    return latest;
+  }
+
+  /// How flaps at a seam may look.
+  FlapShape shape_at(std::span<const int> mesh_edges) const {
     FlapShape shape = options_.shape;
-    const auto chosen = choices_.find(mesh_edge);
-    if (chosen != choices_.end() && chosen->second.height > 0) {
+    const auto* chosen = choice_at(mesh_edges);
+    if (chosen && chosen->second.height > 0) {
       shape.height = chosen->second.height;
       shape.least = std::min(shape.least, shape.height);
     }
@@ -136,88 +166,188 @@ class FlapPlacer {
   }
 
   Wish wish_of(const Seam& seam) const {
-    const EdgeFlaps flaps = flaps_at(seam.mesh_edge);
-    if (flaps == EdgeFlaps::kUsual) {
+    const auto* chosen = choice_at(seam.mesh_edges);
+    if (!chosen || chosen->second.flaps == EdgeFlaps::kUsual) {
       const bool any = options_.side != FlapSide::kNone;
       return {{any, any}, options_.side == FlapSide::kBoth};
     }
+    const EdgeFlaps flaps = chosen->second.flaps;
     Wish wish = {{}, flaps == EdgeFlaps::kBoth};
     for (const int s : {0, 1}) {
-      const SeamSide& side = seam.sides[s];
-      // The face on the left of a mesh edge is its first.
-      const bool is_left = nets_[side.net].faces[side.face] == mesh_.edges[seam.mesh_edge].faces[0];
+      const bool is_left =
+          face_at(seam.sides[s], chosen->first) == mesh_.edges[chosen->first].faces[0];
       wish.allowed[s] = wish.both || flaps == (is_left ? EdgeFlaps::kLeft : EdgeFlaps::kRight);
     }
     return wish;
   }
 
-  std::optional<Trapezoid> best(const Seam& seam, int s) const {
-    return room_.best(seam.sides[s], apex_beyond(seam.sides[s], seam.sides[1 - s]),
-                      shape_at(seam.mesh_edge));
+  /// The face of the mesh beside an edge of the mesh on a side of its seam.
+  int face_at(const SeamSide& side, int mesh_edge) const {
+    const Net& net = nets_[side.net];
+    const auto edge =
+        std::ranges::find(side.edges, mesh_edge, [&](int e) { return net.edges[e].mesh_edge; });
+    return net.faces[side.faces[edge - side.edges.begin()]];
   }
 
-  /// Seams that want flaps, those with least room first and short edges last.
+  /// The highest flap; at ends where `shares` is set it leaves half of the corner to another one.
+  std::optional<Trapezoid> best(int seam, int s, std::array<bool, 2> shares) const {
+    FlapCover cover = seams_[seam].cover_of(s);
+    for (const int end : {0, 1}) {
+      if (shares[end]) cover.lean[end] = std::max(cover.lean[end], corners_[seam][s][end].lean);
+    }
+    return room_.best(seams_[seam].sides[s], cover, shape_at(seams_[seam].mesh_edges));
+  }
+
+  /// Decides for every seam on which side its flap goes, by the room that faces leave, with corners
+  /// shared among seams that are glued in one go.
+  void choose_sides() {
+    auto chains = seam_chains(nets_, seams_);
+    std::vector<int> chain_of(seams_.size());
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      for (const SeamStep& step : chains[c]) chain_of[step.seam] = static_cast<int>(c);
+    }
+    heights_.assign(seams_.size(), {-1, -1});
+    for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
+      const Wish wish = wish_of(seams_[i]);
+      for (const int s : {0, 1}) {
+        if (!wish.allowed[s]) continue;
+        std::array<bool, 2> shares;
+        for (const int end : {0, 1}) {
+          const int other = corners_[i][s][end].other.seam;
+          shares[end] = other != -1 && chain_of[other] == chain_of[i];
+        }
+        const auto flap = best(i, s, shares);
+        heights_[i][s] = flap ? flap->height : 0;
+      }
+    }
+    if (options_.side != FlapSide::kAlternate) {
+      std::erase_if(chains, [&](const auto& chain) { return is_within_net(chain.front().seam); });
+      chosen_ = sides_in_chains(chains, heights_, options_.shape.height);
+      return;
+    }
+    chosen_ = sides_in_turn(nets_, seams_);
+    for (std::size_t i = 0; i < seams_.size(); ++i) {
+      int& side = chosen_[i];
+      if (heights_[i][1 - side] > heights_[i][side]) side = 1 - side;
+    }
+  }
+
+  /// Whether both sides are on one piece, which is glued to itself bit by bit.
+  bool is_within_net(int seam) const {
+    return seams_[seam].sides[0].net == seams_[seam].sides[1].net;
+  }
+
+  /// Seams that want flaps, those with least room first and short ones last.
   std::vector<int> by_scarcity() const {
-    std::vector<std::tuple<bool, double, double, int>> order;
+    std::vector<std::tuple<bool, double, int>> order;
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
       const Wish wish = wish_of(seams_[i]);
       if (!wish.allowed[0] && !wish.allowed[1]) continue;
-      std::tuple<double, double> most = {0, 0};
-      for (const int s : {0, 1}) {
-        if (wish.allowed[s]) most = std::max(most, rank_of(best(seams_[i], s)));
-      }
       const bool is_short = seams_[i].sides[0].length() <= kWantedLength;
-      order.emplace_back(is_short, std::get<0>(most), std::get<1>(most), i);
+      order.emplace_back(is_short, heights_[i][chosen_[i]], i);
     }
     std::ranges::sort(order);
     std::vector<int> seams;
-    for (const auto& entry : order) seams.push_back(std::get<3>(entry));
+    for (const auto& entry : order) seams.push_back(std::get<2>(entry));
     return seams;
   }
 
-  void serve(int index) {
-    const Seam& seam = seams_[index];
-    const SideIndex preferred = preferred_[index];
-    const Wish wish = wish_of(seam);
-    std::array<std::optional<Trapezoid>, 2> found;
-    for (const int s : {0, 1}) {
-      if (wish.allowed[s]) found[s] = best(seam, s);
+  /// Whether a flap beside a corner is there, or is still to come.
+  bool is_awaited(const SeamStep& step) const {
+    if (step.seam == -1) return false;
+    const bool has_come = placed_[step.seam][0] || placed_[step.seam][1];
+    if (has_come) return placed_[step.seam][step.side].has_value();
+    return chosen_[step.seam] == step.side && heights_[step.seam][step.side] > 0;
+  }
+
+  void put(int seam, int s, const Trapezoid& shape) {
+    placed_[seam][s] = {shape, room_.take(seams_[seam].sides[s], shape)};
+  }
+
+  /// The best flap beside those that are there and those that are still to come.
+  std::optional<Trapezoid> best_for_now(int seam, int s) const {
+    if (!wish_of(seams_[seam]).allowed[s]) return std::nullopt;
+    const auto& corners = corners_[seam][s];
+    return best(seam, s, {is_awaited(corners[0].other), is_awaited(corners[1].other)});
+  }
+
+  /// A flap on the side that was decided on; on the other one where it would be lost. Within a net
+  /// what was placed meanwhile may decide otherwise.
+  void serve(int seam) {
+    int& chosen = chosen_[seam];
+    auto flap = best_for_now(seam, chosen);
+    const bool may_change = options_.side != FlapSide::kAlternate && is_within_net(seam);
+    if (!flap || may_change) {
+      const auto other = best_for_now(seam, 1 - chosen);
+      if (rank_of(other) > rank_of(flap)) {
+        flap = other;
+        chosen = 1 - chosen;
+      }
     }
-    const auto height = [&](int s) { return std::get<0>(rank_of(found[s])); };
-    int chosen = rank_of(found[1]) > rank_of(found[0]) ? 1 : 0;
-    if (preferred != -1 && found[preferred] && height(preferred) >= height(1 - preferred)) {
-      chosen = preferred;
-    }
-    count(seam, wish, std::max(height(0), height(1)));
-    if (found[chosen]) add_flap(seam.mesh_edge, seam.sides[chosen], *found[chosen]);
-    if (!wish.both) return;
+    if (!flap) return;
+    put(seam, chosen, *flap);
+    if (!wish_of(seams_[seam]).both) return;
     // A slit has both sides in one net, so that the first flap may be in the way of the second.
-    const auto again = best(seam, 1 - chosen);
-    if (again) add_flap(seam.mesh_edge, seam.sides[1 - chosen], *again);
+    if (const auto again = best_for_now(seam, 1 - chosen)) put(seam, 1 - chosen, *again);
+  }
+
+  /// Once all flaps are there each takes what room is left.
+  void serve_again(int seam) {
+    const Wish wish = wish_of(seams_[seam]);
+    const double full = shape_at(seams_[seam].mesh_edges).height;
+    for (const int s : {chosen_[seam], 1 - chosen_[seam]}) {
+      auto& placed = placed_[seam][s];
+      if (placed) {
+        if (placed->shape.height >= full) continue;
+        room_.give_back(seams_[seam].sides[s], placed->taken);
+        const auto flap = best(seam, s, {false, false});
+        put(seam, s, rank_of(flap) > rank_of(placed->shape) ? *flap : placed->shape);
+      } else if (wish.allowed[s] && (wish.both || !placed_[seam][1 - s])) {
+        if (const auto flap = best(seam, s, {false, false})) put(seam, s, *flap);
+      }
+    }
+  }
+
+  /// Writes down what came of all seams.
+  void finish(std::span<const int> order) {
+    plan_.flaps.resize(nets_.size());
+    for (const int i : order) {
+      const Seam& seam = seams_[i];
+      double height = 0;
+      for (const int s : {0, 1}) {
+        if (!placed_[i][s]) continue;
+        height = std::max(height, placed_[i][s]->shape.height);
+        write_flap(seam.sides[s], placed_[i][s]->shape, angle_at(seam.mesh_edge()));
+      }
+      count(seam, wish_of(seam), height);
+    }
   }
 
   void serve_borders() {
-    for (const SeamSide& side : find_borders(mesh_, nets_)) {
-      const int edge = nets_[side.net].edges[side.edge].mesh_edge;
-      const bool stands = options_.side != FlapSide::kNone && is_joint(edge);
+    for (const SeamSide& side : find_borders(mesh_, nets_, panels_)) {
+      std::vector<int> mesh_edges;
+      for (const int e : side.edges) mesh_edges.push_back(nets_[side.net].edges[e].mesh_edge);
+      const bool stands = options_.side != FlapSide::kNone && is_joint(mesh_edges.front());
       if (!options_.borders && !stands) continue;
-      const EdgeFlaps flaps = flaps_at(edge);
+      const auto* chosen = choice_at(mesh_edges);
+      const EdgeFlaps flaps = chosen ? chosen->second.flaps : EdgeFlaps::kUsual;
       // A border has its only face on the left.
       if (flaps == EdgeFlaps::kNone || flaps == EdgeFlaps::kRight) continue;
-      const auto flap = room_.best(side, open_apex(side), shape_at(edge));
+      const auto flap = room_.best(side, {}, shape_at(mesh_edges));
       if (!flap) continue;
-      add_flap(edge, side, *flap);
+      room_.take(side, *flap);
+      write_flap(side, *flap, angle_at(mesh_edges.front()));
       ++plan_.counts.borders;
     }
   }
 
-  void add_flap(int mesh_edge, const SeamSide& side, const Trapezoid& shape) {
+  void write_flap(const SeamSide& side, const Trapezoid& shape, double angle) {
     const std::vector<Vec2> corners = flap_corners(side, shape);
-    plan_.flaps[side.net].push_back({side.edge,
+    plan_.flaps[side.net].push_back({side.edge(),
+                                     base_of(side),
                                      {corners[0], corners[1], corners[2], corners[3]},
                                      shape.height,
-                                     angle_at(mesh_edge)});
-    room_.take(side, shape);
+                                     angle});
   }
 
   bool is_joint(int mesh_edge) const {
@@ -259,9 +389,9 @@ class FlapPlacer {
     counts.wanted_length += length;
     if (height == 0) {
       counts.missing_length += length;
-      plan_.missed.push_back({seam.mesh_edge, why_missed(seam, wish)});
+      plan_.missed.push_back({seam.mesh_edge(), why_missed(seam, wish)});
     } else {
-      ++(height >= shape_at(seam.mesh_edge).height ? counts.full : counts.shrunk);
+      ++(height >= shape_at(seam.mesh_edges).height ? counts.full : counts.shrunk);
     }
   }
 
@@ -269,8 +399,8 @@ class FlapPlacer {
     FlapMiss why = FlapMiss::kShort;
     for (const int s : {0, 1}) {
       if (!wish.allowed[s]) continue;
-      const Vec2 apex = apex_beyond(seam.sides[s], seam.sides[1 - s]);
-      why = std::max(why, room_.why_none(seam.sides[s], apex, shape_at(seam.mesh_edge)));
+      why =
+          std::max(why, room_.why_none(seam.sides[s], seam.cover_of(s), shape_at(seam.mesh_edges)));
     }
     return why;
   }
@@ -278,10 +408,14 @@ class FlapPlacer {
   const Mesh& mesh_;
   std::span<const Net> nets_;
   const FlapOptions& options_;
+  std::vector<NetPanels> panels_;  ///< per net
   std::vector<Seam> seams_;
-  std::map<int, EdgeChoice> choices_;
+  std::map<int, EdgeChoice> choices_;  ///< by mesh edge
   FlapRoom room_;
-  std::vector<SideIndex> preferred_;  ///< per seam, for alternating flaps
+  std::vector<std::array<std::array<Corner, 2>, 2>> corners_;  ///< per seam, side and end
+  std::vector<SideHeights> heights_;                           ///< per seam, where flaps may be
+  std::vector<int> chosen_;                                    ///< per seam: the side of its flap
+  std::vector<std::array<std::optional<PlacedFlap>, 2>> placed_;  ///< per seam and side
   FlapPlan plan_;
 };
 

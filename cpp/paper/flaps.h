@@ -8,10 +8,10 @@
 
 namespace foldwright {
 
-/// On which side of a cut edge flaps go.
+/// On which side of a seam flaps go.
 enum class FlapSide {
   kNone,
-  kOne,        ///< the one with more room
+  kOne,        ///< the same for all that is glued in one go, and the one with more room
   kAlternate,  ///< in turn along the outline of each piece, where both have room
   kBoth
 };
@@ -40,21 +40,21 @@ struct FlapOptions {
 
 /// A flap of a net.
 struct Flap {
-  int edge;  ///< of the net: the one it is attached to
-  /// Foot, top, top, foot, in the direction of the edge: counter-clockwise. Feet lie on the edge.
+  int edge;                 ///< of the net: the first of those it is attached to
+  std::array<int, 2> base;  ///< vertices of the net: where those begin and end
+  /// Foot, top, top, foot, in the direction of the edges: counter-clockwise. Feet lie on the edges.
   std::array<Vec2, 4> corners;
   double height;
   double angle;  ///< fold angle of its base in radians: valley positive, mountain negative
 };
 
 struct MissedFlap {
-  int mesh_edge;
+  int mesh_edge;  ///< that names the seam
   FlapMiss why;
 };
 
-/// What came of the wish for flaps, over the cut edges between two faces longer than 4 mm: shorter
-/// ones get flaps where there is room, but paper holds without. Edges for which a person chose none
-/// want none.
+/// What came of the wish for flaps, over the seams longer than 4 mm: shorter ones get flaps where
+/// there is room, but paper holds without. Seams for which a person chose none want none.
 struct FlapCounts {
   int wanted = 0;
   int full = 0, shrunk = 0;                      ///< by the better side
@@ -68,11 +68,14 @@ struct FlapPlan {
   FlapCounts counts;
 };
 
-/// Puts flaps to the cut edges of nets that together make a model.
+/// Puts flaps to the seams of nets that together make a model, one each: a straight run of edges
+/// between two panels has one flap.
 ///
-/// A flap lies within the neighbouring face, unfolded across the edge, and overlaps no face and no
-/// other flap of its net. Edges with little room come first, since room only shrinks; each gets the
-/// highest flap that fits, on the side where it is higher. `nets`: in millimetres, free of
+/// A flap lies within the neighbouring panel, unfolded across its base, and overlaps no face and no
+/// other flap of its net. Seams that follow each other between the same two nets have their flaps
+/// on one of them as far as that loses no full flap (`flap_sides.h`). Where two flaps meet at a
+/// concave corner they share it by half. Seams with little room come first, since room only
+/// shrinks; in the end each flap takes what the others left. `nets`: in millimetres, free of
 /// overlaps; angles come from `mesh`. Edges with a face in none of the nets get no flap.
 /// Where the mesh has joints, what stands there gets a flap to be glued by, which folds until it
 /// lies on the host's first face. `keep_off`: per net further convex polygons that flaps must not

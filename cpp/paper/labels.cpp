@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "paper/callouts.h"
 #include "paper/joint_line.h"
-#include "paper/outline.h"
-#include "paper/seams.h"
+#include "paper/seam_ids.h"
 #include "paper/tape_marks.h"
 
 namespace foldwright {
@@ -17,9 +15,13 @@ namespace {
 
 // The largest that fits is taken; below 2.5 mm (7 pt) a name is hard to find among the lines.
 constexpr double kNameSizes[] = {6, 4.5, 3.5, 2.5};
-// Ids are looked at from close by: 1.4 mm is 4 pt, the least that laser and inkjet printers render.
-constexpr double kIdSizes[] = {3, 2.5, 2, 1.7, 1.4};
+// Ids are looked at from close by. Of 2 mm and more they are easy to read.
+constexpr double kEasySizes[] = {3, 2.5, 2};
+// 1.4 mm is 4 pt, the least that laser and inkjet printers render.
+constexpr double kSmallSizes[] = {1.7, 1.4};
 constexpr double kLeastId = 1.4;
+// Where a line leads to the edge larger ones would be in the way of others.
+constexpr double kEasyLed[] = {2};
 
 // Between a text and the middle of a line, of which half is 0.13 mm.
 constexpr double kNameClearance = 0.7;
@@ -125,15 +127,15 @@ class Writer {
   /// face only where it has no room else.
   void write_name(const Net& net, const std::string& name);
 
-  /// Writes a text in the band as large as it goes, near its middle and close to the base.
-  bool write_in_band(const Band& band, const std::string& text) {
-    return std::ranges::any_of(kIdSizes,
-                               [&](double size) { return write_in_band(band, text, size); });
+  /// Writes a text in the band in the first of the sizes that fits, near its middle and close to
+  /// the base.
+  bool write_in_band(const Band& band, const std::string& text, std::span<const double> sizes) {
+    return std::ranges::any_of(sizes, [&](double size) { return write_in_band(band, text, size); });
   }
 
   /// Writes apart from the edge, with a line that leads to it; false if there is no room.
-  bool call_out(const SeamSide& side, const std::string& text) {
-    const auto found = callouts_.find(space_, side, text);
+  bool call_out(const SeamSide& side, const std::string& text, std::span<const double> sizes) {
+    const auto found = callouts_.find(space_, side, text, sizes);
     if (!found) return false;
     write(text, found->size, found->box);
     space_.take(found->leader);
@@ -231,7 +233,7 @@ Band flap_band(const SeamSide& side, const Flap& flap) {
 class LabelPlacer::Work {
  public:
   explicit Work(const LabelTask& task) : task_(task), seams_(find_seams(task.nets)) {
-    numbers_ = number_seams(task.nets, seams_);
+    ids_ = name_seams(task.nets, task.names, seams_, task.joints);
     add_joints();
     written_.resize(seams_.size());
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
@@ -253,9 +255,9 @@ class LabelPlacer::Work {
     if (task_.place == IdPlace::kNone) next_ = open_.size();
     for (int i = 0; i < kSidesPerStep && next_ < open_.size(); ++i) serve(open_[next_++]);
     if (next_ < open_.size()) return false;
-    if (!calling_out_) {
-      // What found no place beside its edge, once all else stands.
-      calling_out_ = true;
+    if (round_ != Round::kLedSmall) {
+      // What found no place yet, once all else stands.
+      round_ = static_cast<Round>(static_cast<int>(round_) + 1);
       std::erase_if(open_, [&](const Side& side) { return is_written(side); });
       next_ = 0;
       return false;
@@ -267,6 +269,10 @@ class LabelPlacer::Work {
   LabelPlan take() { return std::move(plan_); }
 
  private:
+  /// How texts are placed, one after the other: beside their edges or with a line that leads there,
+  /// in sizes that are easy to read and in small ones.
+  enum class Round { kEasy, kLed, kSmall, kLedSmall };
+
   struct Side {
     int seam, side;
   };
@@ -275,7 +281,6 @@ class LabelPlacer::Work {
     plan_.joint_lines.resize(task_.nets.size());
     for (const Seam& joint : task_.joints) {
       seams_.push_back(joint);
-      numbers_.push_back(static_cast<int>(seams_.size()));
       const SeamSide& host = joint.sides[1];
       if (const auto line = joint_line(task_.nets[host.net], host)) {
         plan_.joint_lines[host.net].push_back(*line);
@@ -285,36 +290,23 @@ class LabelPlacer::Work {
 
   char& is_written(const Side& at) { return written_[at.seam][at.side]; }
 
-  /// From the fullest form to the shortest.
-  std::vector<std::string> texts_of(const Side& at) const {
-    const Seam& seam = seams_[at.seam];
-    const int other = seam.sides[1 - at.side].net;
-    std::vector<std::string> texts = {std::to_string(numbers_[at.seam])};
-    if (other != seam.sides[at.side].net) {
-      texts.insert(texts.begin(), task_.names[other] + ":" + texts[0]);
-    }
-    return texts;
-  }
-
   void serve(const Side& at) {
     const SeamSide& side = seams_[at.seam].sides[at.side];
     Writer& writer = writers_[side.net];
-    const std::vector<std::string> texts = texts_of(at);
-    if (calling_out_) {
-      is_written(at) = writer.call_out(side, texts.back());
+    const std::string& text = ids_[at.seam].texts[at.side];
+    if (round_ == Round::kLed || round_ == Round::kLedSmall) {
+      const auto sizes = round_ == Round::kLed ? std::span<const double>(kEasyLed) : kSmallSizes;
+      is_written(at) = writer.call_out(side, text, sizes);
       return;
     }
-    const auto write = [&](const Band& band) {
-      return std::ranges::any_of(
-          texts, [&](const std::string& text) { return writer.write_in_band(band, text); });
-    };
+    const auto sizes = round_ == Round::kEasy ? std::span<const double>(kEasySizes) : kSmallSizes;
     const auto& flaps = task_.flaps[side.net];
-    const auto flap = std::ranges::lower_bound(flaps, side.edge, {}, &Flap::edge);
-    const bool has_flap = flap != flaps.end() && flap->edge == side.edge;
-    const bool on_flap =
-        has_flap && task_.place != IdPlace::kInside && write(flap_band(side, *flap));
+    const auto flap = std::ranges::lower_bound(flaps, side.edge(), {}, &Flap::edge);
+    const bool has_flap = flap != flaps.end() && flap->edge == side.edge();
+    const bool on_flap = has_flap && task_.place != IdPlace::kInside &&
+                         writer.write_in_band(flap_band(side, *flap), text, sizes);
     const bool is_enough = on_flap && task_.place == IdPlace::kFlap;
-    is_written(at) = is_enough || write(inside_band(side)) || on_flap;
+    is_written(at) = is_enough || writer.write_in_band(inside_band(side), text, sizes) || on_flap;
   }
 
   void finish() {
@@ -324,9 +316,9 @@ class LabelPlacer::Work {
       if (task_.place != IdPlace::kNone) {
         const bool is_complete = written_[i][0] && written_[i][1];
         if (is_complete) ++plan_.printed;
-        if (!is_complete) plan_.skipped.push_back(numbers_[i]);
+        if (!is_complete) plan_.skipped.push_back(ids_[i].name);
       }
-      if (!std::ranges::binary_search(task_.tape, seam.mesh_edge)) continue;
+      if (!std::ranges::binary_search(task_.tape, seam.mesh_edge())) continue;
       const auto marks = tape_marks(
           seam, {&writers_[seam.sides[0].net].space(), &writers_[seam.sides[1].net].space()});
       for (const int s : {0, 1}) {
@@ -334,17 +326,16 @@ class LabelPlacer::Work {
         all.insert(all.end(), marks[s].begin(), marks[s].end());
       }
     }
-    std::ranges::sort(plan_.skipped);
     for (Writer& writer : writers_) plan_.labels.push_back(writer.take());
   }
 
   LabelTask task_;
   std::vector<Seam> seams_;
-  std::vector<int> numbers_;                  ///< per seam
+  std::vector<SeamId> ids_;                   ///< per seam
   std::vector<std::array<char, 2>> written_;  ///< per seam and side
   std::vector<Side> open_;
   std::size_t next_ = 0;  ///< of `open_`
-  bool calling_out_ = false;
+  Round round_ = Round::kEasy;
   std::vector<Writer> writers_;
   LabelPlan plan_;
 };
@@ -353,27 +344,6 @@ LabelPlacer::LabelPlacer(const LabelTask& task) : work_(std::make_unique<Work>(t
 LabelPlacer::~LabelPlacer() = default;
 bool LabelPlacer::step() { return work_->step(); }
 LabelPlan LabelPlacer::take() { return work_->take(); }
-
-std::vector<int> number_seams(std::span<const Net> nets, std::span<const Seam> seams) {
-  std::map<std::pair<int, int>, int> seam_from;  // by net and the vertex that the edge starts from
-  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
-    for (const SeamSide& side : seams[i].sides) {
-      seam_from[{side.net, nets[side.net].edges[side.edge].vertices[0]}] = i;
-    }
-  }
-  std::vector<int> numbers(seams.size(), 0);
-  int last = 0;
-  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
-    for (const std::vector<int>& walk : boundary_walks(nets[n])) {
-      for (const int vertex : walk) {
-        const auto seam = seam_from.find({n, vertex});
-        if (seam == seam_from.end() || numbers[seam->second] != 0) continue;
-        numbers[seam->second] = ++last;
-      }
-    }
-  }
-  return numbers;
-}
 
 LabelPlan place_labels(const LabelTask& task) {
   LabelPlacer placer(task);

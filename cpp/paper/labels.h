@@ -31,7 +31,8 @@ struct Label {
 struct LabelPlan {
   std::vector<std::vector<Label>> labels;  ///< per net; the name comes first if it is there
   int printed = 0;                         ///< cut edges with their id at both sides
-  std::vector<int> skipped;  ///< ids that are unreadable at one side at least, ascending
+  /// Names of the seams that are unreadable at one side at least, see `SeamId::name`; by seam.
+  std::vector<std::string> skipped;
   /// Per net: pairs of short strokes over the edges to be joined by tape, at the same place of both
   /// sides.
   std::vector<std::vector<Stroke>> tape_marks;
@@ -42,27 +43,23 @@ struct LabelPlan {
 /// Name of a piece from its index: A, B, .. Z, AA, AB, .. as in the columns of a sheet.
 std::string piece_letter(int index);
 
-/// The ids of seams, from 1: they count along the outlines, piece by piece.
-std::vector<int> number_seams(std::span<const Net> nets, std::span<const Seam> seams);
-
 /// What labels are placed on.
 struct LabelTask {
   std::span<const Net> nets;                 ///< as they lie on their sheets, in millimetres
   std::span<const std::vector<Flap>> flaps;  ///< per net
   std::span<const std::string> names;        ///< per net
-  IdPlace place = IdPlace::kBoth;
+  IdPlace place = IdPlace::kFlap;
   std::span<const int> tape = {};     ///< mesh edges to mark for tape, ascending
   std::span<const Seam> joints = {};  ///< of the nets, see `find_joint_seams`
 };
 
-/// Names pieces, writes the same number at both sides of each cut edge between two faces, and marks
-/// edges for tape.
+/// Names pieces, writes the id of each seam at both of its sides (`seam_ids.h`), and marks edges
+/// for tape.
 ///
-/// Texts of ids lie along their edge, as large as it allows, short edges first; where another piece
-/// is met they name it (`C:17`) if there is room. What does not fit beside its edge stands near by,
-/// with a line that leads to the edge. No text touches a line that is drawn, or another text.
-/// Numbers count along the outlines, piece by piece, and after those the joints. Where a joint's
-/// host shows no line a line is drawn.
+/// Texts of ids lie along their edges, as large as those allow, short ones first. What does not fit
+/// there in a size that is easy to read stands near by, with a line that leads to the edge; only
+/// what has no place either becomes smaller. No text touches a line that is drawn, or another text.
+/// Where a joint's host shows no line a line is drawn.
 class LabelPlacer {
  public:
   /// What the task refers to must outlive the placer.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace foldwright {
@@ -30,12 +31,10 @@ struct Level {
   double height, inset;
 };
 
-/// Where the top of a flap of this height may lie for its triangle and the slope of its sides.
-Span top_limits(double length, const Vec2& apex, const Level& level) {
-  if (level.height >= apex.y()) return {1, 0};
-  const double share = level.height / apex.y();
-  return {std::max(apex.x() * share, level.inset),
-          std::min(length - (length - apex.x()) * share, length - level.inset)};
+/// Where the top of a flap of this height may lie for its cover and the slope of its sides.
+Span top_limits(double length, const std::array<double, 2>& lean, const Level& level) {
+  return {std::max(lean[0] * level.height, level.inset),
+          length - std::max(lean[1] * level.height, level.inset)};
 }
 
 /// A profile seen from one end.
@@ -91,10 +90,11 @@ std::optional<Trapezoid> flap_in(const RoomProfile& profile, std::size_t first, 
                    {from, to}};
 }
 
-std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& apex,
-                                        const FlapShape& shape, double height) {
+std::optional<Trapezoid> flap_of_height(const RoomProfile& profile,
+                                        const std::array<double, 2>& lean, const FlapShape& shape,
+                                        double height) {
   const Level level = {height, height / std::tan(shape.angle)};
-  const Span limits = top_limits(profile.length, apex, level);
+  const Span limits = top_limits(profile.length, lean, level);
   if (limits.to - limits.from < kLeastTop) return std::nullopt;
   std::optional<Trapezoid> best;
   const std::size_t bins = profile.room.size();
@@ -112,6 +112,25 @@ std::optional<Trapezoid> flap_of_height(const RoomProfile& profile, const Vec2& 
 }
 
 }  // namespace
+
+FlapCover triangle_cover(double length, const Vec2& apex) {
+  return {.lean = {apex.x() / apex.y(), (length - apex.x()) / apex.y()}};
+}
+
+double height_at(const FlapCover& cover, double length, double x) {
+  double height = std::numeric_limits<double>::infinity();
+  const std::array<double, 2> from_ends = {x, length - x};
+  for (const int end : {0, 1}) {
+    if (cover.lean[end] > 0) height = std::min(height, from_ends[end] / cover.lean[end]);
+  }
+  for (const auto& [a, b] : cover.borders) {
+    const double width = b.x() - a.x();
+    const double share = width == 0 ? 0 : (x - a.x()) / width;
+    const bool is_over = width == 0 ? x == a.x() : share >= 0 && share <= 1;
+    if (is_over) height = std::min(height, a.y() + share * (b.y() - a.y()));
+  }
+  return height;
+}
 
 RoomProfile open_room(double length, double most, double bin) {
   const int bins = std::clamp(static_cast<int>(std::ceil(length / bin)), kLeastBins, kMostBins);
@@ -148,11 +167,15 @@ void lower_below(RoomProfile& profile, std::span<const Vec2> polygon) {
   }
 }
 
-std::optional<Trapezoid> best_flap(const RoomProfile& profile, const Vec2& apex,
+void lower_below(RoomProfile& profile, const FlapCover& cover) {
+  for (const auto& border : cover.borders) lower_below(profile, border);
+}
+
+std::optional<Trapezoid> best_flap(const RoomProfile& profile, const std::array<double, 2>& lean,
                                    const FlapShape& shape) {
   for (double height = shape.height;; height -= kStep) {
     height = std::max(height, shape.least);
-    if (const auto flap = flap_of_height(profile, apex, shape, height)) return flap;
+    if (const auto flap = flap_of_height(profile, lean, shape, height)) return flap;
     if (height <= shape.least) return std::nullopt;
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,6 +22,21 @@ struct Trapezoid {
   double height;
   double foot[2], top[2];
 };
+
+/// What hides a flap: the flat panel beyond its base, which the flap must not leave. In the
+/// coordinates of the base, which the panel lies above; mm.
+struct FlapCover {
+  /// How far the borders of the panel at the two ends of the base come in per height; negative
+  /// where they go out.
+  std::array<double, 2> lean = {0, 0};
+  std::vector<std::array<Vec2, 2>> borders = {};  ///< all others that are near
+};
+
+/// The cover that a triangle over a whole base with this apex is.
+FlapCover triangle_cover(double length, const Vec2& apex);
+
+/// How high a cover is over a point of its base.
+double height_at(const FlapCover& cover, double length, double x);
 
 /// The room above the base of a flap: per bin of equal width the height up to which it is free.
 struct RoomProfile {
@@ -44,10 +60,14 @@ RoomProfile open_room(double length, double most, double bin = kCoarseBin);
 /// bins.
 void lower_below(RoomProfile& profile, std::span<const Vec2> polygon);
 
+/// Lowers a profile below all borders of a cover but those at the ends of the base.
+void lower_below(RoomProfile& profile, const FlapCover& cover);
+
 /// The highest flap, and of those the one with the longest top, that lies below the profile and
-/// within the triangle over the whole base with this apex; none if not even the least does. Its
-/// feet stand as far apart as the profile allows. Heights go down in steps of half a millimetre.
-std::optional<Trapezoid> best_flap(const RoomProfile& profile, const Vec2& apex,
+/// between the borders that lean in from the ends of its base (see `FlapCover`); none if not even
+/// the least does. Its feet stand as far apart as the profile allows. Heights go down in steps of
+/// half a millimetre.
+std::optional<Trapezoid> best_flap(const RoomProfile& profile, const std::array<double, 2>& lean,
                                    const FlapShape& shape);
 
 /// The shortest edge on which the least flap stands.

@@ -8,34 +8,155 @@
 namespace foldwright {
 namespace {
 
-/// Per directed edge of a net's faces: the face and the corner it starts from.
-std::map<std::pair<int, int>, std::pair<int, int>> directed_edges(const Net& net) {
-  std::map<std::pair<int, int>, std::pair<int, int>> edges;
-  for (int face = 0; face < static_cast<int>(net.corners.size()); ++face) {
-    const auto& corners = net.corners[face];
-    for (int i = 0; i < 3; ++i) edges[{corners[i], corners[(i + 1) % 3]}] = {face, i};
-  }
-  return edges;
-}
+// How far the ends of edges may lie off a straight line, in mm: half of what files round to.
+constexpr double kStraight = 0.005;
 
-/// Calls `visit` with a side of every edge that `wants` takes; of a cut with both.
-template <class Wants, class Visit>
-void for_sides(std::span<const Net> nets, Wants&& wants, Visit&& visit) {
-  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
-    const Net& net = nets[n];
-    const auto faces = directed_edges(net);
-    for (int e = 0; e < static_cast<int>(net.edges.size()); ++e) {
-      const NetEdge& edge = net.edges[e];
-      if (!wants(edge)) continue;
-      const auto& [from, to] = edge.vertices;
-      const auto [face, corner] = faces.at({from, to});
-      const int third = net.corners[face][(corner + 2) % 3];
-      visit(SeamSide{n, e, face, net.vertices[from], net.vertices[to], net.vertices[third]});
-    }
-  }
-}
+// What is no higher above the base than this lies on it.
+constexpr double kOnBase = 1e-7;
 
 bool is_cut(const NetEdge& edge) { return edge.assignment == Assignment::kCut; }
+
+/// The panel of a side, seen from the side as a base.
+FlapCover panel_over(const SeamSide& side, const Net& net, const NetPanels& panels) {
+  const int first = net.edges[side.edges.front()].vertices[0];
+  const int last = net.edges[side.edges.back()].vertices[1];
+  const double length = side.length();
+  const auto place = [&](int vertex) {
+    const Vec2 p = side.local(net.vertices[vertex]);
+    return Vec2(p.x(), -p.y());  // into the panel
+  };
+  FlapCover cover;
+  for (const auto& [from, to] : panels.borders(panels.panel_of(side.faces.front()))) {
+    const Vec2 a = place(from);
+    const Vec2 b = place(to);
+    if (std::max(a.y(), b.y()) <= kOnBase) continue;
+    if (to == first && a.y() > kOnBase) {
+      cover.lean[0] = a.x() / a.y();
+    } else if (from == last && b.y() > kOnBase) {
+      cover.lean[1] = (length - b.x()) / b.y();
+    } else if (std::max(a.x(), b.x()) > 0 && std::min(a.x(), b.x()) < length) {
+      cover.borders.push_back({a, b});
+    }
+  }
+  return cover;
+}
+
+/// An edge of a net of several.
+struct Place {
+  int net, edge;
+  auto operator<=>(const Place&) const = default;
+};
+constexpr Place kNowhere = {-1, -1};
+
+/// The cut edges of nets, with what follows and what lies opposite.
+class CutEdges {
+ public:
+  CutEdges(std::span<const Net> nets, std::span<const NetPanels> panels)
+      : nets_(nets), panels_(panels) {
+    std::map<int, std::vector<Place>> sides;
+    for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+      starts_.emplace_back(nets[n].vertices.size(), -1);
+      ends_.emplace_back(nets[n].vertices.size(), -1);
+      across_.emplace_back(nets[n].edges.size(), kNowhere);
+      for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
+        const NetEdge& edge = nets[n].edges[e];
+        if (!is_cut(edge)) continue;
+        starts_[n][edge.vertices[0]] = e;
+        ends_[n][edge.vertices[1]] = e;
+        sides[edge.mesh_edge].push_back({n, e});
+      }
+    }
+    for (const auto& [mesh_edge, both] : sides) {
+      if (both.size() != 2) continue;
+      across_[both[0].net][both[0].edge] = both[1];
+      across_[both[1].net][both[1].edge] = both[0];
+    }
+  }
+
+  Place across(const Place& at) const { return across_[at.net][at.edge]; }
+
+  /// The cut edge after this one along the outline.
+  Place after(const Place& at) const { return {at.net, starts_[at.net][edge_at(at).vertices[1]]}; }
+  Place before(const Place& at) const { return {at.net, ends_[at.net][edge_at(at).vertices[0]]}; }
+
+  /// Whether two edges that follow each other lie at one panel on each side that they have.
+  bool is_one_pair(const Place& first, const Place& second) const {
+    if (panel_at(first) != panel_at(second)) return false;
+    const Place a = across(first);
+    const Place b = across(second);
+    if (a == kNowhere || b == kNowhere) return a == b;
+    // Seen from the other side they follow each other the other way.
+    return after(b) == a && panel_at(a) == panel_at(b);
+  }
+
+  /// The straight run around an edge, in the order of the outline.
+  std::vector<Place> run_at(const Place& at) const {
+    std::vector<Place> run = {at};
+    while (true) {
+      const Place next = after(run.back());
+      if (next == at || !is_one_pair(run.back(), next) || !stays_straight(run.front(), next)) break;
+      run.push_back(next);
+    }
+    while (true) {
+      const Place next = before(run.front());
+      if (next == run.back() || !is_one_pair(next, run.front())) break;
+      if (!stays_straight(next, run.back())) break;
+      run.insert(run.begin(), next);
+    }
+    return run;
+  }
+
+  SeamSide side_of(const std::vector<Place>& run) const {
+    const Net& net = nets_[run.front().net];
+    SeamSide side;
+    side.net = run.front().net;
+    for (const Place& place : run) {
+      side.edges.push_back(place.edge);
+      side.faces.push_back(panels_[side.net].face_at(place.edge));
+    }
+    side.from = net.vertices[net.edges[side.edges.front()].vertices[0]];
+    side.to = net.vertices[net.edges[side.edges.back()].vertices[1]];
+    side.panel = panel_over(side, net, panels_[side.net]);
+    return side;
+  }
+
+  /// The same run along its other side.
+  std::vector<Place> other_side(const std::vector<Place>& run) const {
+    std::vector<Place> other;
+    for (const Place& place : run) other.push_back(across(place));
+    std::ranges::reverse(other);
+    return other;
+  }
+
+ private:
+  const NetEdge& edge_at(const Place& at) const { return nets_[at.net].edges[at.edge]; }
+  int panel_at(const Place& at) const {
+    return panels_[at.net].panel_of(panels_[at.net].face_at(at.edge));
+  }
+
+  /// Whether the outline runs straight from the start of one edge to the end of another.
+  bool stays_straight(const Place& first, const Place& last) const {
+    const Net& net = nets_[first.net];
+    const Vec2& from = net.vertices[edge_at(first).vertices[0]];
+    const Vec2& to = net.vertices[edge_at(last).vertices[1]];
+    const double length = (to - from).norm();
+    double reached = 0;
+    for (Place at = first; at != last; at = after(at)) {
+      const Vec2 end = net.vertices[edge_at(at).vertices[1]] - from;
+      const double along = end.dot(to - from) / length;
+      // It goes on, never back: not so around a tip.
+      if (along <= reached || along >= length) return false;
+      if (std::abs(cross(to - from, end)) > kStraight * length) return false;
+      reached = along;
+    }
+    return true;
+  }
+
+  std::span<const Net> nets_;
+  std::span<const NetPanels> panels_;
+  std::vector<std::vector<int>> starts_, ends_;  ///< per net and vertex: the cut edge there
+  std::vector<std::vector<Place>> across_;       ///< per net and edge
+};
 
 }  // namespace
 
@@ -49,45 +170,141 @@ Vec2 SeamSide::global(const Vec2& p) const {
   return from + p.x() * along + p.y() * Vec2(along.y(), -along.x());
 }
 
-std::vector<Seam> find_seams(std::span<const Net> nets) {
-  std::map<int, std::vector<SeamSide>> sides;  // by mesh edge
-  for_sides(nets, is_cut, [&](const SeamSide& side) {
-    sides[nets[side.net].edges[side.edge].mesh_edge].push_back(side);
-  });
+std::vector<Seam> find_seams(std::span<const Net> nets, std::span<const NetPanels> panels) {
+  const CutEdges cuts(nets, panels);
   std::vector<Seam> seams;
-  for (auto& [edge, both] : sides) {
-    if (both.size() == 2) seams.push_back({edge, {both[0], both[1]}});
+  std::set<Place> seen;
+  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+    for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
+      if (!is_cut(nets[n].edges[e]) || seen.contains({n, e})) continue;
+      if (cuts.across({n, e}) == kNowhere) continue;
+      const std::vector<Place> run = cuts.run_at({n, e});
+      const std::vector<Place> other = cuts.other_side(run);
+      Seam& seam = seams.emplace_back();
+      seam.sides = {cuts.side_of(run), cuts.side_of(other)};
+      const auto start = [](const SeamSide& side) { return std::pair(side.net, side.edge()); };
+      if (start(seam.sides[1]) < start(seam.sides[0])) std::swap(seam.sides[0], seam.sides[1]);
+      for (const Place& place : run) {
+        seam.mesh_edges.push_back(nets[place.net].edges[place.edge].mesh_edge);
+      }
+      std::ranges::sort(seam.mesh_edges);
+      seen.insert(run.begin(), run.end());
+      seen.insert(other.begin(), other.end());
+    }
   }
+  std::ranges::sort(seams, {}, [](const Seam& seam) { return seam.mesh_edge(); });
   return seams;
+}
+
+std::vector<Seam> find_seams(std::span<const Net> nets) {
+  return find_seams(nets, panels_of(nets));
+}
+
+std::vector<std::vector<SeamStep>> seam_chains(std::span<const Net> nets,
+                                               std::span<const Seam> seams) {
+  const auto first_vertex = [&](const SeamSide& side) {
+    return nets[side.net].edges[side.edges.front()].vertices[0];
+  };
+  const auto last_vertex = [&](const SeamSide& side) {
+    return nets[side.net].edges[side.edges.back()].vertices[1];
+  };
+  std::map<std::pair<int, int>, SeamStep> starts, ends;  // by net and vertex
+  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
+    for (const int s : {0, 1}) {
+      const SeamSide& side = seams[i].sides[s];
+      starts[{side.net, first_vertex(side)}] = {i, s};
+      ends[{side.net, last_vertex(side)}] = {i, s};
+    }
+  }
+  // Whether one step comes right after another on both banks.
+  const auto follows = [&](const SeamStep& first, const SeamStep& second) {
+    const SeamSide& a = seams[first.seam].sides[1 - first.side];
+    const SeamSide& b = seams[second.seam].sides[1 - second.side];
+    return a.net == b.net && first_vertex(a) == last_vertex(b);
+  };
+  std::vector<char> seen(seams.size(), 0);
+  std::vector<std::vector<SeamStep>> chains;
+  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
+    if (std::exchange(seen[i], 1)) continue;
+    std::vector<SeamStep>& chain = chains.emplace_back(std::vector<SeamStep>{{i, 0}});
+    while (true) {
+      const SeamSide& last = seams[chain.back().seam].sides[chain.back().side];
+      const auto next = starts.find({last.net, last_vertex(last)});
+      if (next == starts.end() || seen[next->second.seam]) break;
+      if (!follows(chain.back(), next->second)) break;
+      seen[next->second.seam] = 1;
+      chain.push_back(next->second);
+    }
+    while (true) {
+      const SeamSide& first = seams[chain.front().seam].sides[chain.front().side];
+      const auto before = ends.find({first.net, first_vertex(first)});
+      if (before == ends.end() || seen[before->second.seam]) break;
+      if (!follows(before->second, chain.front())) break;
+      seen[before->second.seam] = 1;
+      chain.insert(chain.begin(), before->second);
+    }
+  }
+  return chains;
 }
 
 std::vector<Seam> find_joint_seams(const Mesh& mesh, std::span<const Net> nets) {
   if (mesh.joints.empty()) return {};
-  std::map<int, SeamSide> sides;  // by mesh edge; of a cut the first one
+  const std::vector<NetPanels> panels = panels_of(nets);
+  const CutEdges cuts(nets, panels);
   std::set<int> wanted;
   for (const auto& [edge, host] : mesh.joints) wanted.insert({edge, host});
-  for_sides(
-      nets, [&](const NetEdge& edge) { return wanted.contains(edge.mesh_edge); },
-      [&](const SeamSide& side) {
-        sides.emplace(nets[side.net].edges[side.edge].mesh_edge, side);
-      });
+  std::map<int, SeamSide> sides;  // by mesh edge; of a cut the first one
+  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+    for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
+      const int mesh_edge = nets[n].edges[e].mesh_edge;
+      if (wanted.contains(mesh_edge)) sides.emplace(mesh_edge, cuts.side_of({{n, e}}));
+    }
+  }
   std::vector<Seam> joints;
   for (const auto& [edge, host] : mesh.joints) {
     const auto stands = sides.find(edge);
     const auto on = sides.find(host);
     if (stands == sides.end() || on == sides.end()) continue;
-    joints.push_back({edge, {stands->second, on->second}});
+    joints.push_back({{edge}, {stands->second, on->second}});
   }
   return joints;
 }
 
-std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets) {
+std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets,
+                                   std::span<const NetPanels> panels) {
+  const CutEdges cuts(nets, panels);
+  const auto is_joint = [&](int mesh_edge) {
+    return std::ranges::binary_search(mesh.joints, mesh_edge, {}, &Joint::edge);
+  };
   std::vector<SeamSide> borders;
-  for_sides(nets, is_cut, [&](const SeamSide& side) {
-    const int edge = nets[side.net].edges[side.edge].mesh_edge;
-    if (mesh.edges[edge].faces[1] == -1) borders.push_back(side);
-  });
+  std::set<Place> seen;
+  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+    for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
+      const int mesh_edge = nets[n].edges[e].mesh_edge;
+      if (!is_cut(nets[n].edges[e]) || mesh.edges[mesh_edge].faces[1] != -1) continue;
+      if (seen.contains({n, e})) continue;
+      std::vector<Place> run = cuts.run_at({n, e});
+      const auto is_plain = [&](const Place& place) {
+        const int at = nets[place.net].edges[place.edge].mesh_edge;
+        return mesh.edges[at].faces[1] == -1 && !is_joint(at);
+      };
+      if (!std::ranges::all_of(run, is_plain)) run = {{n, e}};
+      seen.insert(run.begin(), run.end());
+      borders.push_back(cuts.side_of(run));
+    }
+  }
   return borders;
+}
+
+FlapCover Seam::cover_of(int side) const {
+  const SeamSide& other = sides[1 - side];
+  const double length = other.length();
+  // Seen along the base the other way.
+  FlapCover cover = {{other.panel.lean[1], other.panel.lean[0]}, other.panel.borders};
+  for (auto& border : cover.borders) {
+    for (Vec2& p : border) p.x() = length - p.x();
+  }
+  return cover;
 }
 
 }  // namespace foldwright

@@ -4,40 +4,63 @@
 #include <span>
 #include <vector>
 
-#include "unfold/net.h"
+#include "paper/net_panels.h"
+#include "paper/room_profile.h"
 
 namespace foldwright {
 
-/// One side of a cut: an edge of a net, and the face it belongs to.
+/// One side of a seam: edges of a net that follow each other in a straight line along a panel.
 struct SeamSide {
-  int net, edge;
-  int face;       ///< index within the net
-  Vec2 from, to;  ///< the edge; the face lies on its left
-  Vec2 third;     ///< the face's corner off the edge
+  int net;
+  std::vector<int> edges;  ///< of the net, one after the other from `from` to `to`
+  std::vector<int> faces;  ///< beside each of them; indices within the net
+  Vec2 from, to;           ///< the panel lies on their left
+  FlapCover panel;         ///< over the base, into the panel
 
-  /// A point in the coordinates of the base: x along the edge, y outwards.
+  int edge() const { return edges.front(); }
+  /// A point in the coordinates of the base: x along the edges, y outwards.
   Vec2 local(const Vec2& p) const;
   /// And back.
   Vec2 global(const Vec2& p) const;
   double length() const { return (to - from).norm(); }
 };
 
-/// A cut between two faces: what is glued to what.
+/// What is glued in one go: cut edges that follow each other in a straight line between the same
+/// two panels.
 struct Seam {
-  int mesh_edge;
-  std::array<SeamSide, 2> sides;  ///< by net, then edge
+  std::vector<int> mesh_edges;    ///< ascending
+  std::array<SeamSide, 2> sides;  ///< by net, then first edge
+
+  /// The one that names it.
+  int mesh_edge() const { return mesh_edges.front(); }
+  /// What hides a flap on a side: the panel on the other one.
+  FlapCover cover_of(int side) const;
 };
 
-/// The seams of nets that together make a model, by mesh edge. Borders of the model have no other
-/// side, and are none. Takes n log n.
+/// The seams of nets that together make a model, by lowest mesh edge. Borders of the model have no
+/// other side, and are none. `panels`: of the nets. Takes n log n.
+std::vector<Seam> find_seams(std::span<const Net> nets, std::span<const NetPanels> panels);
 std::vector<Seam> find_seams(std::span<const Net> nets);
+
+/// A seam with one of its sides.
+struct SeamStep {
+  int seam, side;
+};
+
+/// Seams that follow each other along both outlines of the same two nets, or of a net and itself:
+/// what is glued in one go. Steps name the sides on one bank, in the order of its outline. Every
+/// seam is in one chain; by the lowest seam.
+std::vector<std::vector<SeamStep>> seam_chains(std::span<const Net> nets,
+                                               std::span<const Seam> seams);
 
 /// What the joints of the mesh glue together: the border edge first, then its host, which may be a
 /// fold, a side of a cut, or within a flat panel. By joint; those with a side in none of the nets
 /// are left out.
 std::vector<Seam> find_joint_seams(const Mesh& mesh, std::span<const Net> nets);
 
-/// The sides of open borders of the mesh, by net, then edge.
-std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets);
+/// The sides of open borders of the mesh, straight runs along a panel as one, by net, then edge. At
+/// joints every edge is one of its own.
+std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets,
+                                   std::span<const NetPanels> panels);
 
 }  // namespace foldwright

@@ -17,10 +17,11 @@ constexpr double kStripGap = 1;
 constexpr double kTextSizes[] = {2.5, 2, 1.7, 1.4};
 constexpr double kTextClearance = 0.3;
 
-/// The half of a strip that goes behind the face of a side, over (0, 0) to (length, 0).
+/// The half of a strip that goes behind the panel of a side, over (0, 0) to (length, 0).
 std::optional<Trapezoid> half_behind(const SeamSide& side, double angle) {
-  const Vec2 apex = side.local(side.third);
-  return best_flap(open_room(side.length(), kHalfWidth), {apex.x(), -apex.y()},
+  RoomProfile room = open_room(side.length(), kHalfWidth);
+  lower_below(room, side.panel);
+  return best_flap(room, side.panel.lean,
                    {.height = kHalfWidth, .least = kLeastHalf, .angle = angle});
 }
 
@@ -98,7 +99,7 @@ Strip placed(Strip strip, const StripShape& shape, const RigidMotion2& motion, b
 
 }  // namespace
 
-std::optional<StripShape> make_strip(const Seam& seam, int number, double angle) {
+std::optional<StripShape> make_strip(const Seam& seam, const std::string& id, double angle) {
   const auto upper = half_behind(seam.sides[0], angle);
   const auto lower = half_behind(seam.sides[1], angle);
   if (!upper || !lower) return std::nullopt;
@@ -113,10 +114,10 @@ std::optional<StripShape> make_strip(const Seam& seam, int number, double angle)
                    Vec2(length, 0),
                    Vec2(upper->top[1], upper->height),
                    Vec2(upper->top[0], upper->height)};
-  auto label = label_on(*upper, std::to_string(number));
+  auto label = label_on(*upper, id);
   if (!label) {
     Trapezoid turned = *lower;
-    label = label_on(turned, std::to_string(number));
+    label = label_on(turned, id);
     if (!label) return std::nullopt;
     // It would stand on its head there; moved below the fold, it stands upright.
     label->centre = {length - label->centre.x(), -label->centre.y()};
@@ -167,7 +168,7 @@ std::vector<Strip> place_strips(const StripTask& task, std::span<const StripShap
       break;
     }
   }
-  std::ranges::sort(found, {}, &Strip::number);
+  std::ranges::sort(found, {}, &Strip::mesh_edge);
   return found;
 }
 

@@ -21,12 +21,12 @@ struct StripShape {
 /// The strip for a seam: as long as its edge and 8 mm wide, or as wide as fits behind the faces.
 /// None if the faces are too slim to hold glue, or the id does not fit on it.
 /// `angle`: of its sides at the fold, at most; radians
-std::optional<StripShape> make_strip(const Seam& seam, int number, double angle);
+std::optional<StripShape> make_strip(const Seam& seam, const std::string& id, double angle);
 
 /// A strip on its sheet; all from the sheet's lower left.
 struct Strip {
   int mesh_edge;
-  int number;  ///< the id of its seam
+  std::string id;  ///< name of its seam, see `SeamId`
   int sheet;
   std::array<Vec2, 6> outline;
   Stroke fold;
@@ -43,7 +43,7 @@ struct StripTask {
 };
 
 /// Puts strips where pieces leave room, long ones first; `strips` come without a place, and those
-/// that find none are left out. Returned by id; `sheet_count` of the task's layout does not grow
+/// that find none are left out. Returned by edge; `sheet_count` of the task's layout does not grow
 /// unless it may.
 std::vector<Strip> place_strips(const StripTask& task, std::span<const StripShape> shapes,
                                 std::vector<Strip> strips);

@@ -21,16 +21,11 @@ std::array<Stroke, 2> marks_at(const SeamSide& side, double share, double length
   return marks;
 }
 
-/// How high the face of a side is over both strokes.
+/// How high the panel of a side is over both strokes.
 double room_over(const SeamSide& side, double share) {
-  const Vec2 apex = side.local(side.third);
-  const auto height_at = [&](double x) {
-    const double height = -apex.y();
-    return x < apex.x() ? height * x / apex.x()
-                        : height * (side.length() - x) / (side.length() - apex.x());
-  };
   const double x = share * side.length();
-  return std::min(height_at(x - 0.5 * kApart), height_at(x + 0.5 * kApart));
+  const auto height = [&](double at) { return height_at(side.panel, side.length(), at); };
+  return std::min(height(x - 0.5 * kApart), height(x + 0.5 * kApart));
 }
 
 }  // namespace

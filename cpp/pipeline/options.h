@@ -73,7 +73,7 @@ struct JobOptions {
   SizeOptions size = {};
   SheetOptions sheet = {};
   FlapOptions flaps = {};
-  IdPlace ids = IdPlace::kBoth;
+  IdPlace ids = IdPlace::kFlap;
   GlueStrips strips = GlueStrips::kNone;
   std::vector<PartName> names = {};  ///< in a job with a start: of the parts of the earlier result
   std::vector<PinnedPiece> pins = {};

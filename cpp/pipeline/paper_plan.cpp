@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesh/input_error.h"
+#include "paper/seam_ids.h"
 #include "pipeline/flat_net.h"
 #include "pipeline/model_size.h"
 
@@ -29,7 +30,7 @@ std::vector<int> bare_edges(const JobOptions& options, const FlapPlan& flaps,
   for (const MissedFlap& miss : flaps.missed) bare.insert(miss.mesh_edge);
   if (options.flaps.side == FlapSide::kNone && options.strips != GlueStrips::kNone) {
     for (const Seam& seam : seams) {
-      if (seam.sides[0].length() > kWantedLength) bare.insert(seam.mesh_edge);
+      if (seam.sides[0].length() > kWantedLength) bare.insert(seam.mesh_edge());
     }
   }
   return {bare.begin(), bare.end()};
@@ -145,18 +146,18 @@ void PaperPlanner::lay_strips() {
   const std::vector<int> bare = bare_edges(options, draft.flaps, seams);
   std::set<int> open(bare.begin(), bare.end());
   if (options.strips != GlueStrips::kNone) {
-    const std::vector<int> numbers = number_seams(draft.flat, seams);
+    const std::vector<SeamId> ids = name_seams(draft.flat, draft.names, seams);
     std::vector<StripShape> shapes;
     std::vector<Strip> strips;
     for (std::size_t i = 0; i < seams.size(); ++i) {
-      if (!open.contains(seams[i].mesh_edge)) continue;
-      const auto shape = make_strip(seams[i], numbers[i], options.flaps.shape.angle);
+      if (!open.contains(seams[i].mesh_edge())) continue;
+      const auto shape = make_strip(seams[i], ids[i].name, options.flaps.shape.angle);
       if (!shape) continue;
       shapes.push_back(*shape);
       Strip& strip = strips.emplace_back();
-      strip.mesh_edge = seams[i].mesh_edge;
-      strip.number = numbers[i];
-      strip.angle = fold_angle(state_.surface->mesh, seams[i].mesh_edge);
+      strip.mesh_edge = seams[i].mesh_edge();
+      strip.id = ids[i].name;
+      strip.angle = fold_angle(state_.surface->mesh, seams[i].mesh_edge());
     }
     plan_.strips = place_strips(
         {draft.prints, &draft.sheets, options.sheet, options.strips == GlueStrips::kAll}, shapes,

@@ -74,7 +74,7 @@ std::string canonical_dump(const JobResult& result) {
     add_piece(dump, result.pieces[i], result.sheets.placements[i]);
   }
   for (const Strip& strip : result.strips) {
-    dump.add(strip.number);
+    dump.add(strip.mesh_edge);
     dump.add(strip.sheet);
     for (const Vec2& p : strip.outline) dump.add(p);
     add_label(dump, strip.label);

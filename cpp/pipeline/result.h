@@ -80,12 +80,12 @@ struct JobResult {
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;
-  std::vector<Strip> strips;     ///< loose ones, for edges without a flap; by id
-  int taped = 0;                 ///< edges left for tape
-  int printed_ids = 0;           ///< see `LabelPlan`
-  std::vector<int> skipped_ids;  ///< see `LabelPlan`
-  std::int64_t moves = 0;        ///< of the tree searches
-  int generations = 0;           ///< of the genetic searches
+  std::vector<Strip> strips;             ///< loose ones, for edges without a flap; by edge
+  int taped = 0;                         ///< edges left for tape
+  int printed_ids = 0;                   ///< see `LabelPlan`
+  std::vector<std::string> skipped_ids;  ///< see `LabelPlan`
+  std::int64_t moves = 0;                ///< of the tree searches
+  int generations = 0;                   ///< of the genetic searches
   std::vector<Notice> notices;
   std::string hash;  ///< of the canonical dump
 };

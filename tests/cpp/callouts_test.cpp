@@ -13,7 +13,7 @@ TEST(CalloutFinder, LeadsToTheMiddleOfTheEdge) {
   LabelSpace space(nets[0], {});
   CalloutFinder finder(nets[0], 1.4, 0.25);
   const SeamSide side = find_seams(nets)[0].sides[0];
-  const auto found = finder.find(space, side, "123");
+  const auto found = finder.find(space, side, "123", std::array{1.7, 1.4});
   ASSERT_TRUE(found);
   const Vec2 middle = 0.5 * (side.from + side.to);
   EXPECT_LT((found->leader.to - middle).norm(), 0.3);
@@ -27,7 +27,7 @@ TEST(CalloutFinder, GivesUpWithoutRoom) {
   const LabelSpace space(nets[0], {});
   CalloutFinder finder(nets[0], 1.4, 0.25);
   for (const Seam& seam : find_seams(nets)) {
-    EXPECT_FALSE(finder.find(space, seam.sides[0], "123"));
+    EXPECT_FALSE(finder.find(space, seam.sides[0], "123", std::array{1.4}));
   }
 }
 

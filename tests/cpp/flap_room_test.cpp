@@ -13,39 +13,35 @@ TEST(FlapRoom, ShrinksWithEveryFlap) {
   const Seam seam = find_seams(nets)[0];
   const SeamSide& side = seam.sides[0];
   FlapRoom room(nets, {});
-  const Vec2 apex = apex_beyond(side, seam.sides[1]);
-  const auto flap = room.best(side, apex, {});
+  const FlapCover cover = seam.cover_of(0);
+  const auto flap = room.best(side, cover, {});
   ASSERT_TRUE(flap);
   EXPECT_EQ(flap->height, 5);
   room.take(side, *flap);
-  EXPECT_FALSE(room.best(side, apex, {})) << "its own place is taken";
-  EXPECT_EQ(room.why_none(side, apex, {}), FlapMiss::kBlocked);
+  EXPECT_FALSE(room.best(side, cover, {})) << "its own place is taken";
+  EXPECT_EQ(room.why_none(side, cover, {}), FlapMiss::kBlocked);
 }
 
 TEST(FlapRoom, IsLimitedByTheFaceBeyond) {
   const std::vector<Net> nets = {net_of(cube(), 80)};
   const SeamSide side = find_seams(nets)[0].sides[0];
   const FlapRoom room(nets, {});
-  EXPECT_EQ(room.why_none(side, {20, 1}, {}), FlapMiss::kThin);
-  const auto low = room.best(side, {20, 4}, {});
+  const double length = side.length();
+  EXPECT_EQ(room.why_none(side, triangle_cover(length, {20, 1}), {}), FlapMiss::kThin);
+  const auto low = room.best(side, triangle_cover(length, {20, 4}), {});
   ASSERT_TRUE(low);
   EXPECT_LT(low->height, 4);
-  EXPECT_EQ(room.best(side, open_apex(side), {})->height, 5);
+  EXPECT_EQ(room.best(side, {}, {})->height, 5);
 }
 
-TEST(ApexBeyond, IsTheOtherFaceUnfolded) {
+TEST(FlapRoom, GetsBackWhatAFlapTook) {
   const std::vector<Net> nets = {net_of(cube(), 80)};
-  for (const Seam& seam : find_seams(nets)) {
-    for (const int s : {0, 1}) {
-      const SeamSide& side = seam.sides[s];
-      const SeamSide& other = seam.sides[1 - s];
-      const Vec2 apex = apex_beyond(side, other);
-      // The same triangle, seen from the other side of the edge.
-      EXPECT_NEAR((other.third - other.from).norm(), (Vec2(side.length(), 0) - apex).norm(), 1e-9);
-      EXPECT_NEAR((other.third - other.to).norm(), apex.norm(), 1e-9);
-      EXPECT_GT(apex.y(), 0);
-    }
-  }
+  const Seam seam = find_seams(nets)[0];
+  FlapRoom room(nets, {});
+  const auto flap = room.best(seam.sides[0], seam.cover_of(0), {});
+  ASSERT_TRUE(flap);
+  room.give_back(seam.sides[0], room.take(seam.sides[0], *flap));
+  EXPECT_EQ(room.best(seam.sides[0], seam.cover_of(0), {})->top[1], flap->top[1]);
 }
 
 }  // namespace

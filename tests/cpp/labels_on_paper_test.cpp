@@ -12,6 +12,7 @@
 #include "meshes.h"
 #include "nets.h"
 #include "paper/labels.h"
+#include "paper/seam_ids.h"
 
 namespace foldwright::testing {
 namespace {
@@ -32,6 +33,18 @@ std::vector<Vec2> ink(const Label& label) {
   const Vec2 y = 0.5 * kCapHeight * label.size * up;
   const Vec2& c = label.centre;
   return {c - x - y, c + x - y, c + x + y, c - x + y};
+}
+
+/// The six sides of a cube, each a piece.
+std::vector<Net> squares_of_cube() {
+  const Mesh mesh = cube();
+  const DualGraph graph = build_dual_graph(mesh);
+  std::vector<Net> nets;
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
+    for (Vec2& p : nets.back().vertices) p *= 40;
+  }
+  return nets;
 }
 
 /// Whether the segment passes through the polygon, by sampling it finely.
@@ -130,11 +143,11 @@ TEST(PlaceLabels, WriteEachIdAtBothSidesOrListIt) {
   const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kInside);
   std::map<std::string, int> uses;
   for (const Label& label : plan.labels[0]) ++uses[label.text];
-  const std::set<int> skipped(plan.skipped.begin(), plan.skipped.end());
+  const std::set<std::string> skipped(plan.skipped.begin(), plan.skipped.end());
   const int seams = plan.printed + static_cast<int>(skipped.size());
   for (int id = 1; id <= seams; ++id) {
     const int count = uses[std::to_string(id)];
-    if (skipped.contains(id)) {
+    if (skipped.contains("A:" + std::to_string(id))) {
       EXPECT_LT(count, 2) << id;
     } else {
       EXPECT_EQ(count, 2) << id;
@@ -169,7 +182,7 @@ TEST(PlaceLabels, MarkBothSidesForTape) {
   const Mesh mesh = cube();
   const std::vector<Net> nets = {net_of(mesh, 80)};
   const std::vector<std::vector<Flap>> none(1);
-  const int edge = find_seams(nets)[2].mesh_edge;
+  const int edge = find_seams(nets)[2].mesh_edge();
   const LabelPlan plan = labelled(nets, none, IdPlace::kBoth, {edge});
   EXPECT_EQ(plan.tape_marks[0].size(), 4u);
   for (const Stroke& mark : plan.tape_marks[0]) {
@@ -179,22 +192,42 @@ TEST(PlaceLabels, MarkBothSidesForTape) {
   }
 }
 
-TEST(NumberSeams, CountsAlongTheOutline) {
+TEST(NameSeams, CountsAlongTheOutline) {
   const Mesh mesh = cube();
   const std::vector<Net> nets = {net_of(mesh, 80)};
-  std::vector<int> numbers = number_seams(nets, find_seams(nets));
-  std::ranges::sort(numbers);
-  EXPECT_EQ(numbers, (std::vector<int>{1, 2, 3, 4, 5, 6, 7}));
+  const std::vector<std::string> names = {"A"};
+  std::set<std::string> texts;
+  for (const SeamId& id : name_seams(nets, names, find_seams(nets))) {
+    EXPECT_EQ(id.texts[0], id.texts[1]);
+    EXPECT_EQ(id.name, "A:" + id.texts[0]);
+    texts.insert(id.texts[0]);
+  }
+  EXPECT_EQ(texts, (std::set<std::string>{"1", "2", "3", "4", "5", "6", "7"}));
+}
+
+TEST(NameSeams, CountsForEachPairOfPieces) {
+  const std::vector<Net> nets = squares_of_cube();
+  const std::vector<std::string> names = {"A", "Lid", "C2", "D", "E", "F"};
+  const std::vector<Seam> seams = find_seams(nets);
+  const std::vector<SeamId> ids = name_seams(nets, names, seams);
+  std::set<std::string> all;
+  ASSERT_EQ(ids.size(), 12u);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    all.insert(ids[i].name);
+    EXPECT_EQ(ids[i].name,
+              names[seams[i].sides[0].net] + "-" + names[seams[i].sides[1].net] + ":1");
+    for (const int s : {0, 1}) {
+      const std::string& met = names[seams[i].sides[1 - s].net];
+      // Only letters alone go before a number without a sign between them.
+      EXPECT_EQ(ids[i].texts[s], met.size() == 1 ? met + "1" : met + ":1");
+    }
+  }
+  EXPECT_EQ(all.size(), 12u);
 }
 
 TEST(PlaceLabels, NameTheOtherPiece) {
   const Mesh mesh = cube();
-  const DualGraph graph = build_dual_graph(mesh);
-  std::vector<Net> nets;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
-    for (Vec2& p : nets.back().vertices) p *= 40;
-  }
+  const std::vector<Net> nets = squares_of_cube();
   const FlapPlan flaps = place_flaps(mesh, nets, {});
   const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kInside);
   EXPECT_EQ(plan.printed, 12);
@@ -205,7 +238,7 @@ TEST(PlaceLabels, NameTheOtherPiece) {
     for (std::size_t i = 1; i < 5; ++i) {
       const std::string& text = plan.labels[n][i].text;
       const std::size_t other = static_cast<std::size_t>(text[0] - 'A');
-      EXPECT_EQ(text[1], ':');
+      EXPECT_EQ(text.substr(1), "1") << "the only seam of the two";
       EXPECT_NE(other, n);
       const std::string back = own + text.substr(1);
       EXPECT_TRUE(std::ranges::any_of(plan.labels[other],

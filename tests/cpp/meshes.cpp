@@ -1,6 +1,7 @@
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -88,6 +89,35 @@ Mesh cube() {
                                           {0, 6, 4},
                                           {1, 5, 7},
                                           {1, 7, 3}});
+}
+
+Mesh grid_cube(int n) {
+  std::vector<Vec3> positions;
+  std::map<std::array<int, 3>, int> vertices;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [found, is_new] = vertices.emplace(at, static_cast<int>(positions.size()));
+    if (is_new) positions.push_back(2.0 / n * Vec3(at[0], at[1], at[2]) - Vec3(1, 1, 1));
+    return found->second;
+  };
+  std::vector<std::array<int, 3>> faces;
+  for (const int axis : {0, 1, 2}) {
+    for (const int level : {0, n}) {
+      for (int i = 0; i < n * n; ++i) {
+        const auto corner = [&](int x, int y) {
+          std::array<int, 3> at;
+          at[axis] = level;
+          at[(axis + 1) % 3] = i % n + x;
+          at[(axis + 2) % 3] = i / n + y;
+          return vertex(at);
+        };
+        std::array<int, 4> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+        if (level == 0) std::ranges::reverse(quad);
+        faces.push_back({quad[0], quad[1], quad[2]});
+        faces.push_back({quad[0], quad[2], quad[3]});
+      }
+    }
+  }
+  return make_mesh(std::move(positions), std::move(faces));
 }
 
 Mesh tetrahedron() {

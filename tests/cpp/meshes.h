@@ -14,6 +14,9 @@ namespace foldwright::testing {
 /// Unit cube around the origin: 8 vertices, 12 triangles.
 Mesh cube();
 
+/// A cube of side 2 whose sides are `n` x `n` squares of two triangles each.
+Mesh grid_cube(int n);
+
 /// Regular tetrahedron inscribed in the cube of side 2.
 Mesh tetrahedron();
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kCot60 = 0.57735026918962576;
 
 TEST(BestFlap, IsFullWhereNothingIsInTheWay) {
-  const auto flap = best_flap(open_room(20, 5), {10, 30}, {});
+  const auto flap = best_flap(open_room(20, 5), triangle_cover(20, {10, 30}).lean, {});
   ASSERT_TRUE(flap);
   EXPECT_EQ(flap->height, 5);
   EXPECT_EQ(flap->foot[0], 0);
@@ -21,18 +21,18 @@ TEST(BestFlap, IsFullWhereNothingIsInTheWay) {
 
 TEST(BestFlap, StaysWithinAFlatNeighbour) {
   // Corners of 45 degrees, so that the sides are flatter than the 60 that are allowed.
-  const auto flap = best_flap(open_room(20, 5), {10, 10}, {});
+  const auto flap = best_flap(open_room(20, 5), triangle_cover(20, {10, 10}).lean, {});
   ASSERT_TRUE(flap);
   EXPECT_NEAR(flap->top[0], 5, 1e-12);
   EXPECT_NEAR(flap->top[1], 15, 1e-12);
-  EXPECT_EQ(best_flap(open_room(20, 5), {10, 4.2}, {})->height, 4);
-  EXPECT_FALSE(best_flap(open_room(20, 5), {10, 2}, {}));
+  EXPECT_EQ(best_flap(open_room(20, 5), triangle_cover(20, {10, 4.2}).lean, {})->height, 4);
+  EXPECT_FALSE(best_flap(open_room(20, 5), triangle_cover(20, {10, 2}).lean, {}));
 }
 
 TEST(BestFlap, LiesBelowWhatIsInTheWay) {
   RoomProfile profile = open_room(20, 5);
   lower_below(profile, std::vector<Vec2>{{8, 3.2}, {30, 3.2}, {30, 9}, {8, 9}});
-  const auto flap = best_flap(profile, {10, 30}, {});
+  const auto flap = best_flap(profile, triangle_cover(20, {10, 30}).lean, {});
   ASSERT_TRUE(flap);
   EXPECT_EQ(flap->height, 5) << "there is room on the left";
   EXPECT_LT(flap->top[1], 8);
@@ -43,8 +43,10 @@ TEST(BestFlap, LiesBelowWhatIsInTheWay) {
 
 TEST(BestFlap, NeedsABaseLongEnough) {
   const double base = shortest_base({});
-  EXPECT_TRUE(best_flap(open_room(base + 0.01, 5), {base / 2, 30}, {}));
-  EXPECT_FALSE(best_flap(open_room(base - 0.1, 5), {base / 2, 30}, {}));
+  EXPECT_TRUE(
+      best_flap(open_room(base + 0.01, 5), triangle_cover(base + 0.01, {base / 2, 30}).lean, {}));
+  EXPECT_FALSE(
+      best_flap(open_room(base - 0.1, 5), triangle_cover(base - 0.1, {base / 2, 30}).lean, {}));
 }
 
 TEST(LowerBelow, TakesTheLeastOverEachBin) {

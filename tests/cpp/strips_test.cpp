@@ -16,7 +16,7 @@ constexpr double kAngle = std::numbers::pi / 3;
 TEST(MakeStrip, IsAsLongAsTheEdgeAndEightWide) {
   const std::vector<Net> nets = {net_of(cube(), 80)};
   for (const Seam& seam : find_seams(nets)) {
-    const auto strip = make_strip(seam, 12, kAngle);
+    const auto strip = make_strip(seam, "12", kAngle);
     ASSERT_TRUE(strip);
     EXPECT_NEAR(strip->length, 40, 1e-9);
     const Box2 box = box_of(strip->outline);
@@ -28,17 +28,26 @@ TEST(MakeStrip, IsAsLongAsTheEdgeAndEightWide) {
   }
 }
 
+/// The corner of the face beside a side that is not on it.
+Vec2 corner_off(const Net& net, const SeamSide& side) {
+  const auto& base = net.edges[side.edge()].vertices;
+  for (const int v : net.corners[side.faces.front()]) {
+    if (v != base[0] && v != base[1]) return net.vertices[v];
+  }
+  return Vec2::Zero();
+}
+
 TEST(MakeStrip, StaysBehindTheFacesOnBothSides) {
   const std::vector<Net> nets = {net_of(bumpy_sphere(300), 60)};
   int made = 0;
   for (const Seam& seam : find_seams(nets)) {
-    const auto strip = make_strip(seam, 1, kAngle);
+    const auto strip = make_strip(seam, "1", kAngle);
     if (!strip) continue;
     ++made;
     const SeamSide& side = seam.sides[0];
-    const Vec2 apex = side.local(side.third);
+    const Vec2 apex = side.local(corner_off(nets[0], side));
     const Vec2 above(apex.x(), -apex.y());
-    const Vec2 below_local = seam.sides[1].local(seam.sides[1].third);
+    const Vec2 below_local = seam.sides[1].local(corner_off(nets[0], seam.sides[1]));
     const Vec2 below(strip->length - below_local.x(), below_local.y());
     for (const Vec2& p : strip->outline) {
       const Vec2 tip = p.y() > 0 ? above : below;
@@ -53,7 +62,7 @@ TEST(MakeStrip, StaysBehindTheFacesOnBothSides) {
 
 TEST(MakeStrip, IsNoneWhereNoNumberFits) {
   const std::vector<Net> nets = {net_of(cube(), 6)};
-  for (const Seam& seam : find_seams(nets)) EXPECT_FALSE(make_strip(seam, 12, kAngle));
+  for (const Seam& seam : find_seams(nets)) EXPECT_FALSE(make_strip(seam, "12", kAngle));
 }
 
 class PlaceStrips : public ::testing::Test {
@@ -61,7 +70,7 @@ class PlaceStrips : public ::testing::Test {
   /// A sheet whose upper part a piece takes up, and strips of 40 mm.
   std::vector<Strip> place(int count, double piece_height, bool may_add) {
     const std::vector<Net> nets = {net_of(cube(), 80)};
-    const StripShape shape = *make_strip(find_seams(nets)[0], 5, kAngle);
+    const StripShape shape = *make_strip(find_seams(nets)[0], "5", kAngle);
     const Footprint piece = {
         {{Vec2(0, 0), Vec2(80, 0), Vec2(80, piece_height), Vec2(0, piece_height)}}, 0};
     layout_ = {};
@@ -70,7 +79,7 @@ class PlaceStrips : public ::testing::Test {
     layout_.sheet_count = 1;
     layout_.placements = {{0, 10, 110 - piece_height}};
     std::vector<Strip> strips(count);
-    for (int i = 0; i < count; ++i) strips[i].number = count - i;
+    for (int i = 0; i < count; ++i) strips[i].mesh_edge = count - i;
     const std::vector<StripShape> shapes(count, shape);
     return place_strips({{&piece, 1}, &layout_, {}, may_add}, shapes, strips);
   }
@@ -92,7 +101,7 @@ TEST_F(PlaceStrips, UsesFreeRoomOnly) {
     EXPECT_LE(box.max[1], 50 - 3 + 1e-9) << "the gap to the piece";
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_FALSE(convex_overlap(strips[i].outline, strips[j].outline, 0));
-      EXPECT_LT(strips[j].number, strips[i].number);
+      EXPECT_LT(strips[j].mesh_edge, strips[i].mesh_edge);
     }
   }
   EXPECT_TRUE(place(5, 100, false).empty());

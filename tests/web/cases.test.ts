@@ -174,20 +174,24 @@ describe.skipIf(sharedFolder() === null || !isBuilt)('a case that people reporte
       const { status, stderr } = await foldwright(args);
       expect(status).toBe(0);
       expect(stderr).toContain('1 edge is glued to faces that it does not continue');
-      const { files, ids } = JSON.parse(readFileSync(path, 'utf8')) as {
+      const {
+        files,
+        ids,
+        pieces: made,
+      } = JSON.parse(readFileSync(path, 'utf8')) as {
         files: string[];
-        ids: { printed: number; skipped: number[] };
+        ids: { printed: number; skipped: string[] };
+        pieces: unknown[];
       };
       expect(ids.skipped).toEqual([]);
       const drawn = files.filter((file) => file.endsWith('.svg'));
       const sheets = drawn.map((file) => readSheet(readFileSync(file, 'utf8')));
-      const pieces = sheets.flatMap((sheet) => [...sheet.pieces.values()]);
-      const named = pieces.map(({ texts }) =>
-        texts.map(({ text }) => text.replace(/^.*:/, '')).includes(String(ids.printed)),
-      );
-      expect(named, 'the number of the joint, the last one, is on both pieces').toEqual([
-        true,
-        true,
+      const pieces = sheets.flatMap((sheet) => [...sheet.pieces]);
+      expect(pieces).toHaveLength(made.length);
+      const named = pieces.map(([letter, { texts }]) => [letter, texts.map(({ text }) => text)]);
+      expect(named, 'the joint, the only seam of the two, is named on both').toEqual([
+        ['A', expect.arrayContaining(['B1']) as string[]],
+        ['B', expect.arrayContaining(['A1']) as string[]],
       ]);
     }));
 

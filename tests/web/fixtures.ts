@@ -162,7 +162,12 @@ export function layPiece(mesh: Mesh, first: number, tree: [number, number][]): P
     modelEdges: Int32Array.from(edges.map(({ model }) => number(model[0]!, model[1]!))),
     outlines: walkBoundary(next),
     necks: Float64Array.of(),
-    flaps: { edges: new Int32Array(), corners: new Float64Array(), angles: new Float64Array() },
+    flaps: {
+      edges: new Int32Array(),
+      bases: new Int32Array(),
+      corners: new Float64Array(),
+      angles: new Float64Array(),
+    },
     labels: [{ text: 'A', x: width / 2, y: height / 2, angle: 0, size: 6 }],
     tapeMarks: new Float64Array(),
     jointLines: new Float64Array(),
@@ -219,7 +224,7 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     efficiency: 0.25,
     scale: 1,
     flaps: noFlaps,
-    ids: { printed: 0, skipped: Int32Array.of(3) },
+    ids: { printed: 0, skipped: ['A:3'] },
     search: { generations: 0, moves: 0 },
     notices: [],
     hash: '0123456789abcdef',
@@ -390,6 +395,7 @@ export function flapResult(): JobResult {
   ];
   piece!.flaps = {
     edges: Int32Array.of(edge),
+    bases: piece!.edges.slice(2 * edge, 2 * edge + 2),
     corners: Float64Array.from([on(0.5, 0), on(0.6, 0.1), on(0.9, 0.1), on(1, 0)].flat()),
     angles: Float64Array.of(90),
   };

@@ -5,7 +5,7 @@ import { boxAndLidResult } from './fixtures.js';
 
 function resultWith(change: (result: JobResult) => void): JobResult {
   const result = boxAndLidResult();
-  result.ids = { printed: 9, skipped: new Int32Array() };
+  result.ids = { printed: 9, skipped: [] };
   change(result);
   return result;
 }
@@ -16,9 +16,9 @@ describe('what has no room on paper', () => {
   });
 
   it('is named seam by seam', () => {
-    const result = resultWith((of) => (of.ids.skipped = Int32Array.of(12, 5, 3, 7, 6)));
+    const result = resultWith((of) => (of.ids.skipped = ['A:3', 'A-B:1', 'A-B:2', 'A:12']));
     expect(leftOut(result)).toEqual([
-      'no room for a readable number at both sides of 5 seams: 3, 5 to 7, 12',
+      'no room for a readable number at both sides of 4 seams: A: 3, 12; A-B: 1, 2',
     ]);
   });
 

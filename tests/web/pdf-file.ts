@@ -1,7 +1,7 @@
 /** Reads back what a PDF draws, page by page, with pdf.js; nothing here comes from the exporter. */
 import { getDocument, OPS, type PDFPageProxy } from 'pdfjs-dist/legacy/build/pdf.mjs';
 import {
-  stripNumber,
+  stripId,
   type GuideLines,
   type PieceLines,
   type Point,
@@ -179,11 +179,11 @@ async function readPage(page: PDFPageProxy): Promise<PdfPage> {
   fnArray.forEach((operator, i) => reader.read(operator, (argsArray[i] ?? []) as unknown[]));
   const marks = new Set(reader.paths.map(({ mark }) => mark));
   const pieces = new Map<string, PieceLines>();
-  const strips = new Map<number, PieceLines>();
+  const strips = new Map<string, PieceLines>();
   for (const mark of marks) {
     const name = /^piece-(.*)$/.exec(mark)?.[1];
     if (name === undefined) continue;
-    const strip = stripNumber(name);
+    const strip = stripId(name);
     if (strip === null) pieces.set(name, pieceOf(reader, name));
     else strips.set(strip, pieceOf(reader, name));
   }

@@ -60,7 +60,7 @@ describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
     );
     expect(faults(swapped)).toMatch(/is no fold/);
     const nameless = changedBy((text) => text.replace(/<text.*<\/text>\n/g, ''));
-    expect(faults(nameless)).toMatch(/id \d+ is on one side only/);
+    expect(faults(nameless)).toMatch(/id [-A-Z]+:\d+ is on one side only/);
     const shifted = changedBy((text) => text.replace(/(?<=<g id="cut">\n.*d="M)[\d.]+/, '3'));
     expect(faults(shifted)).toMatch(/in the margin/);
 

@@ -113,7 +113,7 @@ function checkGuides(letter: string, { cuts, guides }: PieceLines): string[] {
 }
 
 /** Strips are folded once, by an edge's full length and sign, and hidden behind 4 mm of each face. */
-function checkStrip(id: number, strip: PieceLines, sides: CutSide[]): string[] {
+function checkStrip(id: string, strip: PieceLines, sides: CutSide[]): string[] {
   const faults = checkTexts(`strip ${id}`, strip);
   const folds = [...strip.mountains, ...strip.valleys];
   const [[from, to] = [[0, 0] as Point, [0, 0] as Point]] = folds;
@@ -125,8 +125,7 @@ function checkStrip(id: number, strip: PieceLines, sides: CutSide[]): string[] {
   if (!sides.some(isEdge)) faults.push(`strip ${id} is as long as no edge`);
   const away = strip.cuts[0]!.map((point) => Math.abs(cross(from, to, point)) / distance(from, to));
   if (Math.max(...away) > 4 + tolerance) faults.push(`strip ${id} is too wide`);
-  if (!strip.texts.some(({ text }) => text === String(id)))
-    faults.push(`strip ${id} has no number`);
+  if (!strip.texts.some(({ text }) => text === id)) faults.push(`strip ${id} has no number`);
   return faults;
 }
 
@@ -140,6 +139,7 @@ function findCut(walks: Point[][], from: Point, to: Point): 'straight' | Point[]
   for (const walk of walks) {
     for (let i = 0; i < walk.length; ++i) {
       if (distance(walk[i]!, from) > tolerance) continue;
+      // Around a flap five points are enough, and along an edge one.
       const ahead = [1, 2, 3, 4, 5].map((step) => walk[(i + step) % walk.length]!);
       const end = ahead.findIndex((point) => distance(point, to) <= tolerance);
       if (end === 0) return 'straight';
@@ -164,6 +164,14 @@ function takeFold(folds: [Point, Point][], from: Point, to: Point): boolean {
   return at >= 0;
 }
 
+/** Whether a point lies within one of the triangles, or as near as the tolerance. */
+function isOver(triangles: Point[][], point: Point): boolean {
+  return triangles.some((corners) => {
+    const turns = sidesOf(corners).map(([a, b]) => cross(a, b, point) / distance(a, b));
+    return turns.every((turn) => turn > -tolerance) || turns.every((turn) => turn < tolerance);
+  });
+}
+
 /** Every edge of the net is drawn as what it is, and nothing else is. */
 function checkEdges(letter: string, frame: NetFrame, lines: PieceLines, net: Lines): string[] {
   const faults: string[] = [];
@@ -176,15 +184,13 @@ function checkEdges(letter: string, frame: NetFrame, lines: PieceLines, net: Lin
     if (!takeFold(folds, from, to)) faults.push(`${letter}: edge ${edge} is no fold`);
   });
   for (const side of net.sides) {
-    const cut = findCut(lines.cuts, side.from, side.to);
+    const isCut = side.edges.every(([from, to]) => findCut(lines.cuts, from, to) === 'straight');
+    const cut = isCut ? 'straight' : findCut(lines.cuts, side.from, side.to);
     if (cut === null) faults.push(`${letter}: a cut edge is not cut at ${side.from.join(' ')}`);
     if (cut === null || cut === 'straight') continue;
-    const beyond = (a: Point, b: Point, p: Point): boolean =>
-      cross(a, b, p) / distance(a, b) < -tolerance;
-    const outside = cut.some(
-      (point) => beyond(side.from, side.apex, point) || beyond(side.apex, side.to, point),
-    );
-    if (outside) faults.push(`${letter}: a flap shows at ${side.from.join(' ')}`);
+    if (!cut.every((point) => isOver(side.beyond, point))) {
+      faults.push(`${letter}: a flap shows at ${side.from.join(' ')}`);
+    }
     const folds = left[side.angle > 0 ? 'V' : 'M'];
     const along = (p: Point): boolean =>
       Math.abs(cross(side.from, side.to, p)) / distance(side.from, side.to) < tolerance;
@@ -205,26 +211,36 @@ function checkEdges(letter: string, frame: NetFrame, lines: PieceLines, net: Lin
 /** What a report says of the ids. */
 export interface IdsReport {
   printed: number;
-  skipped: number[];
+  skipped: string[];
 }
 
-/** Each id is on both pieces, or twice on its own, or listed; `seams`: the cuts between two faces. */
-function checkIds(sheets: SheetFile[], ids: IdsReport, seams: number): string[] {
-  const uses = new Map<number, string[]>();
+/** Letters as the columns of a table are ordered. */
+const inOrder = (a: string, b: string): number => a.length - b.length || (a < b ? -1 : 1);
+
+/** Each id is on both pieces, or twice on its own, or listed; `seams`: how many each pair has, by its letters. */
+function checkIds(sheets: SheetFile[], ids: IdsReport, seams: Map<string, number>): string[] {
+  const uses = new Map<string, string[]>(); // the pieces that show an id
   for (const [letter, { texts }] of sheets.flatMap((sheet) => [...sheet.pieces])) {
     for (const { text } of texts) {
-      const id = /^(?:.+:)?(\d+)$/.exec(text);
-      if (id) uses.set(Number(id[1]), [...(uses.get(Number(id[1])) ?? []), letter]);
+      const [, other, number] = /^([A-Z]*)(\d+)$/.exec(text) ?? [];
+      if (number === undefined) continue;
+      const id = `${[letter, ...(other ? [other] : [])].sort(inOrder).join('-')}:${number}`;
+      uses.set(id, [...(uses.get(id) ?? []), letter]);
     }
   }
   const faults: string[] = [];
-  if (ids.printed + ids.skipped.length !== seams)
-    faults.push(`${seams} seams, but not as many ids`);
-  for (let id = 1; id <= seams; ++id) {
-    const count = uses.get(id)?.length ?? 0;
-    if (count < 2 && !ids.skipped.includes(id)) faults.push(`id ${id} is on one side only`);
+  const all = [...seams].flatMap(([pair, count]) =>
+    Array.from({ length: count }, (_, i) => `${pair}:${i + 1}`),
+  );
+  if (ids.printed + ids.skipped.length !== all.length)
+    faults.push(`${all.length} seams, but not as many ids`);
+  for (const id of all) {
+    const found = uses.get(id) ?? [];
+    const isComplete = id.includes('-') ? new Set(found).size === 2 : found.length >= 2;
+    if (!isComplete && !ids.skipped.includes(id)) faults.push(`id ${id} is on one side only`);
   }
-  return faults;
+  const strange = [...uses.keys()].filter((id) => !all.includes(id));
+  return [...faults, ...strange.map((id) => `there is no seam ${id}`)];
 }
 
 /** Everything that is wrong with the sheets of one run. */
@@ -237,17 +253,29 @@ export function checkSheets(
   const drawn = new Map(sheets.flatMap((sheet) => [...sheet.pieces]));
   const faults = sheets.flatMap((sheet) => checkCuts(sheet, margin));
   const sides: CutSide[] = [];
-  for (const { letter, frame, net } of pieceLines(file, drawn)) {
+  const pieceOf = new Map<number, string>(); // by face of the model
+  const pieces = pieceLines(file, drawn);
+  for (const { letter, frame } of pieces) {
+    for (const face of frame['faces_foldwright:source']) pieceOf.set(face, letter);
+  }
+  const halves = new Map<string, number>(); // sides of seams, by the letters of their pieces
+  for (const { letter, frame, net } of pieces) {
     const lines = drawn.get(letter);
     if (!lines) {
       faults.push(`${letter} is on no sheet`);
       continue;
     }
     sides.push(...net.sides);
+    for (const { face, other } of net.sides) {
+      const letters = new Set([pieceOf.get(face)!, pieceOf.get(other)!]);
+      const pair = [...letters].sort(inOrder).join('-');
+      halves.set(pair, (halves.get(pair) ?? 0) + 1);
+    }
     faults.push(...checkEdges(letter, frame, lines, net), ...checkTexts(letter, lines));
     faults.push(...checkGuides(letter, lines));
   }
   const strips = sheets.flatMap((sheet) => [...sheet.strips]);
   faults.push(...strips.flatMap(([id, strip]) => checkStrip(id, strip, sides)));
-  return [...faults, ...checkIds(sheets, ids, sides.length / 2)];
+  const seams = new Map([...halves].map(([pair, count]) => [pair, count / 2]));
+  return [...faults, ...checkIds(sheets, ids, seams)];
 }

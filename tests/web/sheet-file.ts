@@ -37,8 +37,8 @@ export interface SheetFile {
   height: number;
   /** By letter. */
   pieces: Map<string, PieceLines>;
-  /** Loose strips for glue, by the number of their edge. */
-  strips: Map<number, PieceLines>;
+  /** Loose strips for glue, by the id of their seam. */
+  strips: Map<string, PieceLines>;
   guide: GuideLines;
 }
 
@@ -74,10 +74,10 @@ function parse(source: string): Svg {
   return (parser.parse(source) as { svg: Svg }).svg;
 }
 
-/** The number of a loose strip's edge, from what a file calls it; null for pieces. */
-export function stripNumber(name: string): number | null {
-  const strip = /^strip-(\d+)$/.exec(name);
-  return strip ? Number(strip[1]) : null;
+/** The id of a loose strip's seam, from what a file calls it; null for pieces. */
+export function stripId(name: string): string | null {
+  const strip = /^strip-(.+)$/.exec(name);
+  return strip ? strip[1]! : null;
 }
 
 /** @throws if anything but closed polygons and single lines in mm is drawn */
@@ -88,14 +88,14 @@ export function readSheet(source: string): SheetFile {
     throw new Error('the sheet is not in mm');
   }
   const pieces = new Map<string, PieceLines>();
-  const strips = new Map<number, PieceLines>();
+  const strips = new Map<string, PieceLines>();
   const linesOf = <Key>(all: Map<Key, PieceLines>, key: Key): PieceLines => {
     const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], guides: [], texts: [] };
     if (!all.has(key)) all.set(key, fresh);
     return all.get(key)!;
   };
   const pieceOf = ({ 'data-piece': letter }: Element): PieceLines => {
-    const strip = stripNumber(letter);
+    const strip = stripId(letter);
     return strip === null ? linesOf(pieces, letter) : linesOf(strips, strip);
   };
   const up = (pair: string): Point => {

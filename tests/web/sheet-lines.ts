@@ -3,14 +3,19 @@ import type { FoldFile, ModelFrame, NetFrame } from './fold-file.js';
 import type { PieceLines, Point } from './sheet-file.js';
 import { cross, dot, minus, type Vector } from './vectors.js';
 
-/** One side of a cut between two faces. */
+/** One side of a seam: cut edges in a straight line between the same two panels. */
 export interface CutSide {
   from: Point;
   to: Point;
-  /** The neighbouring face's third corner, unfolded across the edge. */
-  apex: Point;
+  /** The edges, one after the other. */
+  edges: [Point, Point][];
+  /** The neighbouring panel's triangles, unfolded across the edge. */
+  beyond: Point[][];
   /** Fold angle there in the model; degrees, valley positive. */
   angle: number;
+  /** Faces of the model that the first edge lies between. */
+  face: number;
+  other: number;
 }
 
 export interface Lines {
@@ -53,29 +58,103 @@ function offset(frame: NetFrame, { cuts }: PieceLines): Point {
   return best;
 }
 
-/** The neighbour's third corner over the edge, and the angle between the faces. */
-function across(
-  model: ModelFrame,
-  faces: Map<string, number>,
+type EdgeFaces = Map<string, number>;
+
+/** The angle between the faces at an edge of the first one; degrees, valley positive. */
+function foldAngle(
+  { vertices_coords, faces_vertices }: ModelFrame,
+  [face, other]: [number, number],
   [u, v]: [number, number],
-): { along: number; out: number; angle: number } | null {
-  const [face, other] = [faces.get(`${u} ${v}`), faces.get(`${v} ${u}`)];
-  if (face === undefined || other === undefined) return null;
-  const at = (vertex: number): Vector => model.vertices_coords[vertex]!;
-  const third = (f: number): Vector =>
-    at(model.faces_vertices[f]!.find((w) => w !== u && w !== v)!);
+): number {
+  const at = (vertex: number): Vector => vertices_coords[vertex]!;
   const edge = minus(at(v), at(u));
-  const length = Math.hypot(...edge);
-  const far = minus(third(other), at(u));
-  const along = dot(far, edge) / length;
   const normal = (f: number): Vector => {
-    const [a, b, c] = model.faces_vertices[f]!.map(at);
+    const [a, b, c] = faces_vertices[f]!.map(at);
     return cross(minus(b!, a!), minus(c!, a!));
   };
   const [n, m] = [normal(face), normal(other)];
-  const sine = dot(cross(n, m), edge) / length;
-  const angle = (-Math.atan2(sine, dot(n, m)) * 180) / Math.PI;
-  return { along, out: Math.sqrt(Math.max(0, dot(far, far) - along * along)), angle };
+  return (-Math.atan2(dot(cross(n, m), edge) / Math.hypot(...edge), dot(n, m)) * 180) / Math.PI;
+}
+
+/** Per face of the model: the lowest face of its panel. */
+function panelsOf(model: ModelFrame, faces: EdgeFaces): number[] {
+  const panel = model.faces_vertices.map(() => -1);
+  model.faces_vertices.forEach((_, seed) => {
+    if (panel[seed] !== -1) return;
+    const open = [seed];
+    panel[seed] = seed;
+    for (let face = open.pop(); face !== undefined; face = open.pop()) {
+      const corners = model.faces_vertices[face]!;
+      corners.forEach((u, i) => {
+        const v = corners[(i + 1) % corners.length]!;
+        const other = faces.get(`${v} ${u}`);
+        if (other === undefined || panel[other] !== -1) return;
+        if (Math.abs(foldAngle(model, [face, other], [u, v])) >= 0.001) return;
+        panel[other] = seed;
+        open.push(other);
+      });
+    }
+  });
+  return panel;
+}
+
+/** The panel of a face, unfolded across the edge from `u` to `v` that lies on the sheet. */
+function unfolded(
+  { vertices_coords, faces_vertices }: ModelFrame,
+  members: number[],
+  [u, v]: [number, number],
+  [from, to]: [Point, Point],
+): Point[][] {
+  const at = (vertex: number): Vector => vertices_coords[vertex]!;
+  const edge = minus(at(v), at(u));
+  const length = Math.hypot(...edge);
+  const off = (vertex: number): { along: number; away: Vector } => {
+    const far = minus(at(vertex), at(u));
+    const along = dot(far, edge) / length;
+    return { along, away: far.map((x, i) => x - (along * edge[i]!) / length) as Vector };
+  };
+  const corners = members.flatMap((face) => faces_vertices[face]!);
+  const farthest = corners.reduce((best, w) =>
+    Math.hypot(...off(w).away) > Math.hypot(...off(best).away) ? w : best,
+  );
+  const into = off(farthest).away;
+  const depth = Math.hypot(...into);
+  const [ex, ey] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+  return members.map((face) =>
+    faces_vertices[face]!.map((w): Point => {
+      const { along, away } = off(w);
+      const out = dot(away, into) / depth;
+      return [from[0] + along * ex + out * ey, from[1] + along * ey - out * ex];
+    }),
+  );
+}
+
+/** Whether the second side goes on from the first in a straight line between the same panels. */
+function continues(first: CutSide, second: CutSide, panel: number[]): boolean {
+  if (panel[first.face] !== panel[second.face]) return false;
+  if (panel[first.other] !== panel[second.other]) return false;
+  const [a, b, c] = [first.from, first.to, second.to];
+  if (Math.hypot(b[0] - second.from[0], b[1] - second.from[1]) > 1e-6) return false;
+  const away = (c[0] - a[0]) * (b[1] - a[1]) - (c[1] - a[1]) * (b[0] - a[0]);
+  const ahead = (c[0] - b[0]) * (b[0] - a[0]) + (c[1] - b[1]) * (b[1] - a[1]);
+  return ahead > 0 && Math.abs(away) < 0.01 * Math.hypot(c[0] - a[0], c[1] - a[1]);
+}
+
+/** Edges that go on from each other as one. */
+function merged(sides: CutSide[], panel: number[]): CutSide[] {
+  const runs = [...sides];
+  for (let i = 0; i < runs.length;) {
+    const next = runs.findIndex((side) => side !== runs[i] && continues(runs[i]!, side, panel));
+    if (next < 0) {
+      ++i;
+      continue;
+    }
+    const { to, edges } = runs[next]!;
+    runs[i] = { ...runs[i]!, to, edges: [...runs[i]!.edges, ...edges] };
+    runs.splice(next, 1);
+    if (next < i) --i;
+  }
+  return runs;
 }
 
 /** The pieces of a file where they lie on their sheets. */
@@ -84,6 +163,7 @@ export function pieceLines(
   drawn: Map<string, PieceLines>,
 ): { letter: string; frame: NetFrame; net: Lines }[] {
   const faces = facesByEdge(model);
+  const panel = panelsOf(model, faces);
   return nets.map((frame) => {
     const letter = letterOf(frame['foldwright:piece']);
     const lines = drawn.get(letter);
@@ -103,20 +183,20 @@ export function pieceLines(
       corners.forEach((a, i) => {
         const next = (i + 1) % corners.length;
         if (!cut.has(`${a} ${corners[next]}`)) return;
-        const beyond = across(model, faces, [source[i]!, source[next]!]);
-        if (!beyond) return;
+        const [u, v] = [source[i]!, source[next]!];
+        const [face, other] = [faces.get(`${u} ${v}`), faces.get(`${v} ${u}`)];
+        if (face === undefined || other === undefined) return;
         const [from, to] = [place(a), place(corners[next]!)];
-        const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-        const [ex, ey] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-        const { along, out, angle } = beyond;
-        const apex: Point = [from[0] + along * ex + out * ey, from[1] + along * ey - out * ex];
-        sides.push({ from, to, apex, angle });
+        const members = panel.flatMap((seed, at) => (seed === panel[other] ? [at] : []));
+        const beyond = unfolded(model, members, [u, v], [from, to]);
+        const angle = foldAngle(model, [face, other], [u, v]);
+        sides.push({ from, to, edges: [[from, to]], beyond, angle, face, other });
       });
     });
     const ends = (edge: number): [Point, Point] => {
       const [a, b] = frame.edges_vertices[edge]!;
       return [place(a!), place(b!)];
     };
-    return { letter, frame, net: { ends, sides } };
+    return { letter, frame, net: { ends, sides: merged(sides, panel) } };
   });
 }

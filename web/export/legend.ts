@@ -68,7 +68,7 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
     ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
     ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
     ...(some(({ letter }) => letter.startsWith('strip-'))
-      ? [words('strip 12: behind edge 12')]
+      ? [words('strip A-C:3: behind edge C3 of A')]
       : []),
     ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold angle')] : []),
   ];

@@ -62,7 +62,7 @@ export interface Report {
   sheets: number;
   efficiency: number;
   flaps: FlapCounts;
-  ids: { printed: number; skipped: number[] };
+  ids: { printed: number; skipped: string[] };
   notices: (Notice & Told)[];
   seconds: StageSeconds;
   search: { generations: number; moves: number };
@@ -110,7 +110,7 @@ export function makeReport(input: ReportInput): Report {
     sheets: result.sheets.length,
     efficiency: result.efficiency,
     flaps: result.flaps,
-    ids: { printed: result.ids.printed, skipped: Array.from(result.ids.skipped) },
+    ids: { printed: result.ids.printed, skipped: result.ids.skipped },
     notices: [...result.notices, ...input.printed].map((notice) => ({
       ...notice,
       text: phraseOf(notice),

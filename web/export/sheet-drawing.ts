@@ -10,7 +10,7 @@ import { centredLine, type TextLine } from './text-line.js';
  * sheet's lower left.
  */
 export interface PieceDrawing {
-  /** The piece's name; of a strip `strip-` and the number of its edge. */
+  /** The piece's name; of a strip `strip-` and the id of its seam. */
   letter: string;
   /** Closed boundary walks around faces and flaps; slits are walked there and back. */
   cuts: Point[][];
@@ -51,17 +51,33 @@ function areSame([x, y]: Point, [u, v]: Point): boolean {
 
 /** The closed walks along the cuts, around the flaps. */
 function drawCuts(piece: Piece, at: At): Point[][] {
-  const flapAt = new Map<number, number>(); // by the vertex that its edge starts from
-  piece.flaps.edges.forEach((edge, flap) => flapAt.set(piece.edges[2 * edge]!, flap));
+  const { edges, bases } = piece.flaps;
+  const flapAt = new Map<number, number>(); // by the vertex that its base starts from
+  edges.forEach((_, flap) => flapAt.set(bases[2 * flap]!, flap));
   return piece.outlines.map((outline) => {
+    // A walk that begins within a base would cut it in two.
+    const inner = new Set(edges.length > 0 ? insideBases(outline, piece) : []);
     const walk: Point[] = [];
     for (const vertex of outline) {
+      if (inner.has(vertex)) continue;
       walk.push(at(vertex));
       const flap = flapAt.get(vertex);
       if (flap !== undefined) walk.push(...flapCorners(piece, flap));
     }
     return walk.filter((point, i) => !areSame(point, walk[(i + 1) % walk.length]!));
   });
+}
+
+/** The vertices of an outline that lie between the ends of a flap's base. */
+function* insideBases(outline: Int32Array, { flaps }: Piece): Generator<number> {
+  const place = new Map(Array.from(outline, (vertex, i) => [vertex, i]));
+  for (let flap = 0; flap < flaps.edges.length; ++flap) {
+    const [from, to] = [place.get(flaps.bases[2 * flap]!), place.get(flaps.bases[2 * flap + 1]!)];
+    if (from === undefined || to === undefined) continue;
+    for (let i = (from + 1) % outline.length; i !== to; i = (i + 1) % outline.length) {
+      yield outline[i]!;
+    }
+  }
 }
 
 /** The folds of one sign: those between faces, and the bases of flaps. */

@@ -24,7 +24,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   flapEdges: [],
   locks: [],
   glueStrips: 'none',
-  ids: 'both',
+  ids: 'flap',
   names: [],
   pins: [],
   compaction: true,

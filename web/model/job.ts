@@ -146,8 +146,10 @@ export interface Motion {
 
 /** Flaps of a piece; like its vertices they are seen from the printed side. */
 export interface Flaps {
-  /** Per flap: the edge of the piece that it is attached to. */
+  /** Per flap: the first edge of the piece that it is attached to. */
   edges: Int32Array;
+  /** 2 per flap: the vertices where those edges begin and end; they lie on a straight line. */
+  bases: Int32Array;
   /** 8 per flap: x and y of foot, top, top and foot, in the direction of the edge. */
   corners: Float64Array;
   /** Per flap: fold angle of its base in degrees, valley positive, mountain negative. */
@@ -170,8 +172,8 @@ export interface PieceLabel {
 
 /** A loose strip of paper, to be glued behind both sides of a cut edge that has no flap. */
 export interface Strip {
-  /** Of the edge that it joins. */
-  id: number;
+  /** Of the seam that it joins, as `JobResult.ids` names them. */
+  id: string;
   modelEdge: number;
   sheet: number;
   /** x and y of the corners, counter-clockwise, from the sheet's lower left. */
@@ -335,8 +337,11 @@ export interface JobResult {
   /** Millimetres per unit of the model. */
   scale: number;
   flaps: FlapCounts;
-  /** Cut edges with their id at both sides, and ids that are unreadable at one at least. */
-  ids: { printed: number; skipped: Int32Array };
+  /**
+   * Seams with their id at both sides, and those where it is unreadable at one at least: `A-C:3` is
+   * the third seam of A and C, `A:3` the third within A.
+   */
+  ids: { printed: number; skipped: string[] };
   search: { generations: number; moves: number };
   notices: Notice[];
   /** Hash of the engine's canonical dump (trees, labels, angles, coordinates). */

@@ -28,27 +28,17 @@ function missingFlaps({ flaps: { missing, missing_mm, wanted_mm } }: JobResult):
   ];
 }
 
-/** Numbers as people list them: 3, 5 to 7, 12. */
-function numberList(numbers: readonly number[]): string {
-  const runs: [from: number, to: number][] = [];
-  for (const number of numbers) {
-    const last = runs.at(-1);
-    if (last && number === last[1] + 1) last[1] = number;
-    else runs.push([number, number]);
-  }
-  return runs
-    .map(([from, to]) =>
-      from === to ? `${from}` : to === from + 1 ? `${from}, ${to}` : `${from} to ${to}`,
-    )
-    .join(', ');
-}
-
 /** The seams without a number at one side at least. */
 function missingIds({ ids: { skipped } }: JobResult): string[] {
   if (skipped.length === 0) return [];
-  const numbers = numberList(Array.from(skipped).sort((a, b) => a - b));
+  const numbers = new Map<string, string[]>(); // by the pieces that meet there
+  for (const id of skipped) {
+    const [pieces, number] = id.split(':') as [string, string];
+    numbers.set(pieces, [...(numbers.get(pieces) ?? []), number]);
+  }
+  const names = [...numbers].map(([pieces, all]) => `${pieces}: ${all.join(', ')}`).join('; ');
   return [
-    `no room for a readable number at both sides of ${count(skipped.length, 'seam')}: ${numbers}`,
+    `no room for a readable number at both sides of ${count(skipped.length, 'seam')}: ${names}`,
   ];
 }
 

@@ -1,0 +1,97 @@
+#include "paper/flap_sides.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "paper/outline.h"
+
+namespace foldwright {
+namespace {
+
+// In shares of a missing flap: what a lower flap than the other side's costs, and to change sides.
+// Two changes, there and back, cost less than a full flap that is lost, and more than a little of
+// one.
+constexpr double kLower = 0.6;
+constexpr double kChange = 0.25;
+
+/// What it costs to have the flap of a seam on a side.
+double loss(const SideHeights& heights, int side, double full) {
+  if (heights[side] < 0) return std::numeric_limits<double>::infinity();
+  const double best = std::max(heights[0], heights[1]);
+  if (best <= 0) return 0;
+  if (heights[side] <= 0) return 1;
+  return kLower * (best - heights[side]) / full;
+}
+
+/// The sides along one chain by their banks: the cheapest way through it.
+std::vector<int> banks_of(const std::vector<SeamStep>& chain, std::span<const SideHeights> heights,
+                          double full) {
+  const auto cost_at = [&](std::size_t i, int bank) {
+    const auto& [seam, side] = chain[i];
+    return loss(heights[seam], bank == 0 ? side : 1 - side, full);
+  };
+  std::vector<std::array<int, 2>> came_from(chain.size());
+  std::array<double, 2> costs = {cost_at(0, 0), cost_at(0, 1)};
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    std::array<double, 2> next;
+    for (const int bank : {0, 1}) {
+      const bool changes = costs[1 - bank] + kChange < costs[bank];
+      came_from[i][bank] = changes ? 1 - bank : bank;
+      next[bank] = (changes ? costs[1 - bank] + kChange : costs[bank]) + cost_at(i, bank);
+    }
+    costs = next;
+  }
+  std::vector<int> banks(chain.size());
+  int bank = costs[1] < costs[0] ? 1 : 0;
+  for (std::size_t i = chain.size(); i-- > 0;) {
+    banks[i] = bank;
+    if (i > 0) bank = came_from[i][bank];
+  }
+  return banks;
+}
+
+}  // namespace
+
+std::vector<int> sides_in_chains(std::span<const std::vector<SeamStep>> chains,
+                                 std::span<const SideHeights> heights, double full) {
+  std::vector<int> sides;
+  for (const SideHeights& height : heights) sides.push_back(height[1] > height[0] ? 1 : 0);
+  for (const std::vector<SeamStep>& chain : chains) {
+    const std::vector<int> banks = banks_of(chain, heights, full);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      sides[chain[i].seam] = banks[i] == 0 ? chain[i].side : 1 - chain[i].side;
+    }
+  }
+  return sides;
+}
+
+std::vector<int> sides_in_turn(std::span<const Net> nets, std::span<const Seam> seams) {
+  std::vector<std::vector<std::pair<int, int>>> seam_of(nets.size());  // seam, side; by edge
+  for (std::size_t n = 0; n < nets.size(); ++n) seam_of[n].resize(nets[n].edges.size(), {-1, 0});
+  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
+    for (const int s : {0, 1}) {
+      const SeamSide& side = seams[i].sides[s];
+      seam_of[side.net][side.edge()] = {i, s};
+    }
+  }
+  std::vector<int> preferred(seams.size(), -1);
+  for (std::size_t n = 0; n < nets.size(); ++n) {
+    std::vector<int> edge_from(nets[n].vertices.size(), -1);
+    for (std::size_t e = 0; e < nets[n].edges.size(); ++e) {
+      if (seam_of[n][e].first != -1) edge_from[nets[n].edges[e].vertices[0]] = static_cast<int>(e);
+    }
+    bool here = true;
+    for (const std::vector<int>& walk : boundary_walks(nets[n])) {
+      for (const int vertex : walk) {
+        if (edge_from[vertex] == -1) continue;
+        const auto [seam, side] = seam_of[n][edge_from[vertex]];
+        // A seam that another piece decided about sets the turn, too.
+        if (preferred[seam] == -1) preferred[seam] = here ? side : 1 - side;
+        here = preferred[seam] != side;
+      }
+    }
+  }
+  return preferred;
+}
+
+}  // namespace foldwright
