@@ -30,7 +30,7 @@ export async function exportResult(
   format: ExportFormat,
   { result, name, print }: ExportInput,
 ): Promise<ExportedFile> {
-  if (format === 'svg' && print.sheets.length > 1) {
+  if (format === 'svg' && print.sheets.length + print.pages.length > 1) {
     const { writeSvgZip } = await import('../export/svg-zip.js');
     const content = writeSvgZip(print, `${name}.svg`);
     return { name: `${name}-svg.zip`, content, mediaType: 'application/zip' };

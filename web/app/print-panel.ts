@@ -57,6 +57,7 @@ export class PrintPanel extends Panel {
   private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
   private readonly angles = this.find('#print-angles', HTMLInputElement);
   private readonly legend = this.find('#print-legend', HTMLInputElement);
+  private readonly assembly = this.find('#print-assembly', HTMLInputElement);
   private readonly across = this.find('#measured-across', HTMLInputElement);
   private readonly up = this.find('#measured-up', HTMLInputElement);
   private readonly state = this.find('#measured-state', HTMLElement);
@@ -108,6 +109,7 @@ export class PrintPanel extends Panel {
     this.flatFold.value = flatFold === defaultPrint.flatFold ? '' : String(flatFold);
     this.angles.checked = options.foldAngles;
     this.legend.checked = options.legend;
+    this.assembly.checked = options.assembly;
     this.check();
     this.explain();
   }
@@ -127,6 +129,7 @@ export class PrintPanel extends Panel {
       flatFold: number(this.flatFold, defaultPrint.flatFold),
       foldAngles: this.angles.checked,
       legend: this.legend.checked,
+      assembly: this.assembly.checked,
       measured: this.measured,
     };
   }

@@ -61,7 +61,9 @@ type Content = string | ExportedFile | Notice[];
 
 async function write(written: Written | undefined, order: WriterOrder): Promise<Content> {
   if (!written) throw new Error('The result must come first');
-  const print = await printOf(written, order.options);
+  // The pages that tell how to build the model are in files only: a preview does not wait for them.
+  const assembly = order.type === 'file' && order.options.assembly;
+  const print = await printOf(written, { ...order.options, assembly });
   if (order.type === 'sheet') return writeSvg(print, order.sheet);
   if (order.type === 'notices') return print.notices;
   const { result, name } = written.source;

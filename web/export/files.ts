@@ -2,7 +2,6 @@
 import type { JobResult } from '../model/job.js';
 import type { ExportFormat, WrittenFile } from './formats.js';
 import type { Print } from './print.js';
-import { sheetName } from './sheet-name.js';
 
 /** What files are made of. */
 export interface ExportSource {
@@ -23,11 +22,10 @@ const writers: Readonly<Record<ExportFormat, Writer>> = {
     return [{ name, bytes: utf8.encode(writeFold(result)) }];
   },
   async svg({ print, name }) {
-    const { writeSvg } = await import('./svg.js');
-    const count = print.sheets.length;
-    return print.sheets.map((_, sheet) => ({
-      name: sheetName(name, sheet, count),
-      bytes: utf8.encode(writeSvg(print, sheet)),
+    const { svgFiles } = await import('./svg-files.js');
+    return svgFiles(print, name).map((file) => ({
+      name: file.name,
+      bytes: utf8.encode(file.text),
     }));
   },
   async pdf({ print, name }) {

@@ -5,6 +5,7 @@ import {
   endMarkedContent,
   endText,
   fill,
+  fillAndStroke,
   lineTo,
   moveTo,
   PDFDocument,
@@ -30,6 +31,7 @@ import { FontSet } from './font-set.js';
 import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { PdfFonts } from './pdf-fonts.js';
+import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
 import { textsOf, type Print } from './print.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
@@ -139,7 +141,32 @@ class PageWriter {
     this.page.pushOperators(endMarkedContent());
   }
 
-  write({ pieces, frame }: SheetDrawing): void {
+  private picture(shape: PictureShape): void {
+    const { kind, walks } = shape;
+    if (kind === 'line') {
+      this.lines(shape.style, walks, shape.closed);
+      return;
+    }
+    const edge = edgeStyle(shape.colour);
+    this.page.pushOperators(
+      pushGraphicsState(),
+      setFillingColor(colour(shape.colour)),
+      setStrokingColor(colour(shape.colour)),
+      setLineWidth(points(edge.width)),
+      setLineJoin(1),
+      // In one go, or thin white lines would show between neighbours.
+      ...walks.flatMap((walk) => path(walk, true)),
+      fillAndStroke(),
+      popGraphicsState(),
+    );
+  }
+
+  write({ pieces, frame, picture = [] }: SheetDrawing): void {
+    if (picture.length > 0) {
+      this.marked('picture', () => {
+        for (const shape of picture) this.picture(shape);
+      });
+    }
     this.marked('guide', () => {
       for (const { points: walk, closed, sample } of frame.strokes) {
         if (sample === 'flap') this.areas(this.look.flaps, [walk]);
@@ -157,11 +184,13 @@ class PageWriter {
 }
 
 /**
- * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the
+ * All sheets as one vector PDF at true size, a page for each, after those that tell how to build the model if
+ * they were asked for, with scaling switched off in the
  * print dialogue, and of each font the letters that are used. The same print gives the same bytes.
  */
 export async function writePdf(print: Print): Promise<Uint8Array> {
-  const { title, look, sheets, loadFont } = print;
+  const { title, look, loadFont } = print;
+  const sheets = [...print.pages, ...print.sheets];
   const document = await PDFDocument.create({ updateMetadata: false });
   const set = print.fonts ?? (await FontSet.load(textsOf(sheets), loadFont));
   const fonts = await PdfFonts.embed(document, set);

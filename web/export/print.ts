@@ -25,6 +25,8 @@ export interface Print {
   title: string;
   look: Look;
   sheets: SheetDrawing[];
+  /** Those that tell how to build the model, if they were asked for: the cover first. */
+  pages: SheetDrawing[];
   /** Null while all texts are in letters that every reader of files has. */
   fonts: FontSet | null;
   loadFont: FontLoader;
@@ -105,6 +107,19 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
   return { sheets, lacksLegend: false };
 }
 
+/** The pages that tell how to build the model. No printer's scale is corrected: nothing is measured there. */
+async function drawPages({ margin, options, result, title }: PrintInput): Promise<SheetDrawing[]> {
+  if (!options.assembly) return [];
+  const { assemblyPages } = await import('./assembly-pages.js');
+  return assemblyPages({
+    margin,
+    options,
+    result,
+    title: cleaned(title),
+    look: lookOf(options),
+  });
+}
+
 /**
  * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
  * has is drawn as a box and told in the notices, and so is it when fonts do not come.
@@ -115,6 +130,8 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
   const factors = corrections(options);
   const sheets = drawn.map((sheet) => calibrated(sheet, factors));
   const notices = noticesOf(sheets, lacksLegend);
-  const fonts = await loadFonts(textsOf(sheets), loadFont, notices);
-  return { title: cleaned(input.title), look: lookOf(options), sheets, fonts, loadFont, notices };
+  const pages = await drawPages(input);
+  const fonts = await loadFonts(textsOf([...pages, ...sheets]), loadFont, notices);
+  const title = cleaned(input.title);
+  return { title, look: lookOf(options), sheets, pages, fonts, loadFont, notices };
 }

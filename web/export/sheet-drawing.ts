@@ -2,6 +2,7 @@ import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
+import type { PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { centredLine, type TextLine } from './text-line.js';
 
@@ -32,6 +33,8 @@ export interface SheetDrawing {
   height: number;
   pieces: PieceDrawing[];
   frame: SheetFrame;
+  /** Below all else, on pages that tell how to build the model. */
+  picture?: PictureShape[];
 }
 
 type At = (vertex: number) => Point;
@@ -135,7 +138,8 @@ function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing
   };
 }
 
-function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
+/** The lines of one piece. */
+export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,

@@ -2,6 +2,7 @@ import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
 import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
+import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
@@ -133,6 +134,20 @@ class SheetWriter {
     return [...paths, ...texts.map((line) => this.text(line, '')), ...leaders];
   }
 
+  /** What a page shows of the model. */
+  picture(): string[] {
+    return (this.drawing.picture ?? []).map((shape) => this.shape(shape));
+  }
+
+  private shape(shape: PictureShape): string {
+    const isLine = shape.kind === 'line';
+    const data = shape.walks.map((walk) => this.walk(walk, !isLine || shape.closed)).join('');
+    const paint = isLine
+      ? strokeOf(shape.style)
+      : strokeOf(edgeStyle(shape.colour)).replace('fill="none"', `fill="${shape.colour}"`);
+    return `<path ${paint} d="${data}"/>`;
+  }
+
   private guidePaint(kind: LineKind | 'flap' | undefined): string {
     if (kind === 'flap') return attributes({ fill: this.look.flaps });
     return strokeOf(kind ? this.look.lines[kind] : guideStyle(this.look));
@@ -149,8 +164,16 @@ function group(id: string, content: string[]): string {
  * are there, empty or not, in a fixed order, so that cutting programs find the same layers in every
  * file. Texts are text, but for letters that not every reader has: those are outlines.
  */
-export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string {
-  const drawing = sheets[sheet]!;
+export function writeSvg(print: Print, sheet: number): string {
+  return svgOf(print, print.sheets[sheet]!);
+}
+
+/** A page, counted from 0, that tells how to build the model; only the group `guide` holds something. */
+export function writePageSvg(print: Print, page: number): string {
+  return svgOf(print, print.pages[page]!);
+}
+
+function svgOf({ look, fonts }: Print, drawing: SheetDrawing): string {
   const [width, height] = [decimal(drawing.width), decimal(drawing.height)];
   const size = attributes({
     width: `${width}mm`,
@@ -162,7 +185,7 @@ export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string 
     '<?xml version="1.0" encoding="UTF-8"?>',
     `<svg xmlns="http://www.w3.org/2000/svg" ${size}>`,
     group('texture', []),
-    group('guide', writer.guide()),
+    group('guide', [...writer.picture(), ...writer.guide()]),
     group('flap', writer.flaps()),
     group('fold-mountain', writer.mountains()),
     group('fold-valley', writer.valleys()),

@@ -215,6 +215,12 @@ export const rows = {
     'print beside folds how far they fold',
   ),
   legend: row('on|off', 'on', choice(['on', 'off']), 'print once what lines and numbers mean'),
+  assembly: row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: pages with a cover, a list of pieces and the steps to build the model (PDF, SVG)',
+  ),
   measured: row(
     'XMM,YMM|off',
     'off',
@@ -241,7 +247,6 @@ export const laterRows: Record<string, LaterRow> = {
   duplex: {},
   dpi: { value: 'N' },
   machine: { value: 'NAME', same: 'none' },
-  assembly: {},
 };
 
 /** The settings as a person would write them, by the names of the options. */
@@ -299,6 +304,7 @@ export function printOptions(settings: Settings): PrintOptions {
     flatFold: settings['flat-fold'],
     foldAngles: settings['fold-angles'] === 'on',
     legend: settings.legend === 'on',
+    assembly: settings.assembly === 'on',
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
   };
 }

@@ -26,6 +26,8 @@ export interface PrintOptions {
   foldAngles: boolean;
   /** Whether a legend is printed, once. */
   legend: boolean;
+  /** Whether a cover, a list of pieces and the steps to build the model come with the sheets. */
+  assembly: boolean;
   /** What the rulers of 50 mm measure on paper, across and up, when nothing is corrected. */
   measured: readonly [across: number, up: number];
 }
@@ -42,6 +44,7 @@ export const defaultPrint: Readonly<PrintOptions> = {
   flatFold: 3,
   foldAngles: false,
   legend: true,
+  assembly: false,
   measured: [rulerLength, rulerLength],
 };
 

@@ -54,6 +54,7 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'flap-colour',
   'fold-angles',
   'legend',
+  'assembly',
   'measured',
 ] satisfies OptionName[]);
 
@@ -73,7 +74,7 @@ function parsed(name: string, value: unknown): unknown {
 
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
-  const { lines, flatFold, foldAngles, legend } = print;
+  const { assembly, lines, flatFold, foldAngles, legend } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -93,6 +94,7 @@ export function lookOptions(print: PrintOptions): Options {
     flatFold,
     foldAngles: foldAngles ? 'on' : 'off',
     legend: legend ? 'on' : 'off',
+    assembly: assembly ? 'on' : 'off',
   };
 }
 
