@@ -3,6 +3,7 @@ import type { JobResult } from '../model/job.js';
 import { cross, dot, minus, times, vectorAt, type Vector } from '../model/vector.js';
 import { areaOf } from './convex.js';
 import { Scene, type ModelLine, type VisibleArea } from './hidden-surfaces.js';
+import type { Point } from './point.js';
 import { viewFrom, viewNames, type View, type ViewName } from './view-direction.js';
 
 /** An edge of the model with its one or two faces. */
@@ -35,6 +36,9 @@ const ease: Readonly<Record<ViewName, number>> = {
 /** And so do pictures from another side than the one before. */
 const habit = 1.5;
 
+/** Over the surface of a piece: a whole box shows a quarter and more, a lid that lies on another box some less. */
+const leastVisible = 0.06;
+
 /** Looks at a result from all sides, each once; all pictures of it are made of that. */
 export class ModelViews {
   /** Per face of the model: index of its piece; -1 for one without. */
@@ -42,6 +46,8 @@ export class ModelViews {
   readonly edges: readonly ModelEdge[];
   /** Per face: its direction outwards, of unit length. */
   readonly normals: readonly Vector[];
+  /** Per piece: its area. */
+  private readonly surfaces: readonly number[];
   private readonly faces: number[];
   private readonly known = new Map<ViewName, ModelView>();
 
@@ -53,6 +59,7 @@ export class ModelViews {
     });
     this.faces = [...this.pieceOf.keys()].filter((face) => this.pieceOf[face]! >= 0);
     this.edges = edgesOf(model.faces, model.vertices.length / 3, this.faces);
+    this.surfaces = pieces.map(surfaceOf);
     this.normals = Array.from(this.pieceOf, (_, face) => this.normalOf(face));
   }
 
@@ -82,6 +89,11 @@ export class ModelViews {
     return this.from(best);
   }
 
+  /** Whether a view shows too little of a piece to know where it is. */
+  hides({ shares }: ModelView, piece: number): boolean {
+    return shares[piece]! < leastVisible * this.surfaces[piece]!;
+  }
+
   /** Some pieces alone, from one side. */
   partly(view: View, isThere: (piece: number) => boolean): { scene: Scene; faces: number[] } {
     const faces = this.faces.filter((face) => isThere(this.pieceOf[face]!));
@@ -95,6 +107,19 @@ export class ModelViews {
     const size = Math.sqrt(dot(normal, normal));
     return size > 0 ? times(normal, 1 / size) : [0, 0, 1];
   }
+}
+
+/** Area of a piece; square millimetres. */
+function surfaceOf({ faces, vertices }: JobResult['pieces'][number]): number {
+  let sum = 0;
+  for (let at = 0; at < faces.length; at += 3) {
+    const corners = [0, 1, 2].map((corner): Point => {
+      const vertex = faces[at + corner]!;
+      return [vertices[2 * vertex]!, vertices[2 * vertex + 1]!];
+    });
+    sum += areaOf(corners);
+  }
+  return sum;
 }
 
 /** In the order in which the faces have them. */

@@ -16,9 +16,6 @@ const pictureWidth = 34;
 const gap = 6;
 const headingHeight = 12;
 
-/** Over the whole picture: a piece that shows less is drawn as if the others were glass. */
-export const glassShare = 0.004;
-
 /** The model in grey with one piece in its colour. */
 function placeOf(views: ModelViews, piece: number, view: ModelView, frame: Frame): PictureShape[] {
   const colourOf = (other: number): readonly number[] =>
@@ -26,7 +23,7 @@ function placeOf(views: ModelViews, piece: number, view: ModelView, frame: Frame
   const isThere = (): boolean => true;
   const { areas, scene } = view;
   const shapes = drawModel({ views, view: view.view, scene, areas, isThere, colourOf, frame });
-  if (view.shares[piece]! > glassShare * view.total) return shapes;
+  if (!views.hides(view, piece)) return shapes;
   const alone = views.partly(view.view, (other) => other === piece);
   const own: VisibleArea[] = alone.scene.areas();
   const ownFaces = new Set(alone.faces);
@@ -54,7 +51,7 @@ function drawEntry(
   const { flaps, name, sheet, sources } = views.result.pieces[piece]!;
   const usual: ViewName = 'front-left';
   const view = views.bestFor(piece, usual);
-  const isHidden = view.shares[piece]! <= glassShare * view.total;
+  const isHidden = views.hides(view, piece);
   page.draw(placeOf(views, piece, view, { ...box, width: pictureWidth, height: box.height - 3 }));
   const left = box.left + pictureWidth + 4;
   const room = box.left + box.width - left;

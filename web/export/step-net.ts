@@ -65,10 +65,13 @@ export function endsOf(borders: readonly Border[]): { first?: Border; last?: Bor
   return { ...(first && { first }), ...(last && last !== first && { last }) };
 }
 
-/** Takes points of the sheet into the frame, true to their angles and no larger than they are. */
+/** Small pieces are drawn larger than they are, but not so much that they seem to be others. */
+const mostScale = 2;
+
+/** Takes points of the sheet into the frame, true to their angles. */
 function fitOf(walks: readonly Point[][], frame: Frame): (point: Point) => Point {
   const [left, bottom, right, top] = boxOf(walks.flat());
-  const scale = Math.min(1, frame.width / (right - left), frame.height / (top - bottom));
+  const scale = Math.min(mostScale, frame.width / (right - left), frame.height / (top - bottom));
   const x0 = frame.left + frame.width / 2 - (scale * (left + right)) / 2;
   const y0 = frame.bottom + frame.height / 2 - (scale * (bottom + top)) / 2;
   return ([x, y]) => [x0 + scale * x, y0 + scale * y];

@@ -8,8 +8,12 @@ type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
   : Name;
 
-/** Lists and papers are written as the command line has them: '1,0.5', 'A4' or '210x297'. */
-type Written<Value> = Value extends PaperSize | readonly unknown[] ? string : Value;
+/** Switches may be true or false; lists and papers are as the command line has them: '1,0.5', 'A4' or '210x297'. */
+type Written<Value> = [Value] extends ['on' | 'off']
+  ? Value | boolean
+  : Value extends PaperSize | readonly unknown[]
+    ? string
+    : Value;
 
 type OptionName = Exclude<keyof Settings, 'workers'>;
 
@@ -61,11 +65,17 @@ export const printOptionNames: ReadonlySet<string> = new Set([
 const nameOf = (key: string): string =>
   key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
+/** A value as the command line has it. */
+function writtenOf(value: unknown): string {
+  if (typeof value === 'boolean') return value ? 'on' : 'off';
+  return Array.isArray(value) ? value.join(',') : String(value);
+}
+
 function parsed(name: string, value: unknown): unknown {
   const row = (rows as Record<string, Row<unknown> | undefined>)[name];
   if (!row) throw new BadOption(`there is no option '${name}'`);
   try {
-    return row.parse(Array.isArray(value) ? value.join(',') : String(value));
+    return row.parse(writtenOf(value));
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
     throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);

@@ -137,7 +137,8 @@ export const building: BuildingWords = {
     `${count(pieces, 'piece')} on ${count(sheets, 'sheet')} of ${width} × ${height} mm`,
   foldsLabel: () => 'To fold',
   folds: ({ mountains, valleys }) =>
-    `${count(mountains, 'mountain fold')}, ${count(valleys, 'valley fold')}`,
+    `${mountains === 0 ? 'no mountain folds' : count(mountains, 'mountain fold')}, ` +
+    (valleys === 0 ? 'no valley folds' : count(valleys, 'valley fold')),
   seamsLabel: () => 'To join',
   seams: ({ seams }) => `${count(seams, 'pair')} of edges`,
   gluedLabel: () => 'Time with glue',
@@ -169,7 +170,7 @@ export const building: BuildingWords = {
       ? `${count(folds, 'fold')}, all valleys`
       : `${count(folds, 'fold')}, ${figure(valleys)} of them ${valleys === 1 ? 'a valley' : 'valleys'}`;
   },
-  hidden: () => 'hidden by others: drawn as if they were glass',
+  hidden: () => 'behind others: drawn as if those were glass',
   strips: ({ runs, strips }) =>
     `Beside the pieces there ${strips === 1 ? 'is a loose strip' : `are ${figure(strips)} loose strips`} of ` +
     `paper, to be glued behind the edges ${runs.join(', ')}.`,
@@ -179,7 +180,8 @@ export const building: BuildingWords = {
   fold,
   close,
   glue,
-  apart: () => 'It is glued to none of the pieces before: put it where the picture shows it.',
+  apart: () =>
+    'It stands alone on the others: glue it on where the picture shows it, number to number where there are any.',
   finish: ({ last }) =>
     last === null
       ? 'That was the last edge: the model is done.'
