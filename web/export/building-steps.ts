@@ -11,7 +11,7 @@ import {
 } from './building-plan.js';
 import type { Border } from '../model/border-order.js';
 import type { ModelLine } from './hidden-surfaces.js';
-import { drawModel, fitOf, paperGrey, pieceRgb } from './model-picture.js';
+import { drawModel, fitOfFaces, paperGrey, pieceRgb, ringAround } from './model-picture.js';
 import type { ModelViews } from './model-views.js';
 import { wrapped, type Page } from './page-layout.js';
 import type { Frame, PictureShape } from './picture-shape.js';
@@ -39,6 +39,8 @@ export interface StepsInput {
   views: ModelViews;
   plan: BuildingPlan;
   options: PrintOptions;
+  /** Whether steps show the model as it grows. */
+  hasPictures: boolean;
 }
 
 /** What of a border of the model is seen in a picture: the middle of its longest part. */
@@ -81,8 +83,11 @@ function drawGrown(
     piece === step.piece ? pieceRgb(views, piece) : paperGrey;
   const isThere = (face: number): boolean => there.has(face);
   const areas = scene.areas();
-  const shapes = drawModel({ views, view, scene, areas, isThere, colourOf, frame });
-  const fit = fitOf(views, view, frame);
+  const fit = fitOfFaces(views, view, frame, faces);
+  const shapes = [
+    ...drawModel({ views, view, scene, areas, isThere, colourOf, fit }),
+    ...ringAround(views, areas, step.piece, fit),
+  ];
   const mark = (kind: StepMark, border?: Border): PictureShape[] => {
     const at = border && seenMiddle(views, scene, sideOn(border, step.piece));
     return at ? markShape(kind, fit(at)) : [];
@@ -241,8 +246,10 @@ export function drawSteps(newPage: () => Page, input: StepsInput): void {
   let usual: ViewName = 'front-left';
   for (const [rank, step] of input.plan.steps.entries()) {
     built.add(step.piece);
-    usual = input.views.bestFor(step.piece, usual).name;
+    if (input.hasPictures) usual = input.views.bestFor(step.piece, usual).name;
     const name = usual;
-    drawStep(flow, input, step, rank, (frame) => drawGrown(input, step, built, name, frame));
+    drawStep(flow, input, step, rank, (frame) =>
+      input.hasPictures ? drawGrown(input, step, built, name, frame) : [],
+    );
   }
 }

@@ -99,9 +99,9 @@ function drawView(page: Page, input: CoverInput, modelView: ModelView, box: Fram
   };
   const { areas, scene, view } = modelView;
   const colourOf = (piece: number): readonly number[] => pieceRgb(views, piece);
-  page.draw(
-    drawModel({ views, view, scene, areas, isThere: () => true, colourOf, flatFold, frame }),
-  );
+  const fit = fitOf(views, view, frame);
+  const isThere = (): boolean => true;
+  page.draw(drawModel({ views, view, scene, areas, isThere, colourOf, flatFold, fit }));
   drawLetters(page, input, modelView, frame);
   const [, low] = reachOf(views, view, frame);
   const middle: Point = [box.left + box.width / 2, low - captionHeight];

@@ -5,7 +5,7 @@ import { dot, vectorAt, type Vector } from '../model/vector.js';
 import { boxOf } from './convex.js';
 import type { Scene, VisibleArea } from './hidden-surfaces.js';
 import type { ModelEdge, ModelViews } from './model-views.js';
-import type { Frame, PictureShape } from './picture-shape.js';
+import { dotAround, type Frame, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
 import type { View } from './view-direction.js';
 
@@ -23,7 +23,7 @@ export interface PictureWish {
   colourOf: (piece: number) => Rgb;
   /** Folds flatter than this many degrees show no line; none does without it. */
   flatFold?: number;
-  frame: Frame;
+  fit: Fit;
 }
 
 /** Takes points of a view into a frame, as large as they go, in its middle. */
@@ -48,7 +48,7 @@ const lines: Readonly<Record<'outline' | 'piece' | 'crease', LineStyle>> = {
   crease: { width: 0.07, colour: '#777777', dash: [] },
 };
 
-function hex(rgb: Rgb): string {
+export function hexOf(rgb: Rgb): string {
   return `#${rgb.map((value) => Math.round(value).toString(16).padStart(2, '0')).join('')}`;
 }
 
@@ -58,37 +58,90 @@ function rounded(value: number): number {
 }
 
 /** What of a frame the whole model covers. */
-export function reachOf(views: ModelViews, view: View, frame: Frame): ReturnType<typeof boxOf> {
-  return boxOf(pointsOf(views, view).map(fitOf(views, view, frame)));
+export function reachOf(views: ModelViews, view: View, frame: Frame): Box {
+  const fit = fitOf(views, view, frame);
+  return boxOf(allPoints(views, view).map(fit));
 }
 
-function pointsOf({ result: { model } }: ModelViews, { right, up }: View): Point[] {
-  return Array.from({ length: model.vertices.length / 3 }, (_, i): Point => {
-    const corner = vectorAt(model.vertices, i);
-    return [dot(corner, right), dot(corner, up)];
-  });
+type Box = ReturnType<typeof boxOf>;
+
+function pointOf({ result: { model } }: ModelViews, { right, up }: View, vertex: number): Point {
+  const corner = vectorAt(model.vertices, vertex);
+  return [dot(corner, right), dot(corner, up)];
+}
+
+function allPoints(views: ModelViews, view: View): Point[] {
+  const count = views.result.model.vertices.length / 3;
+  return Array.from({ length: count }, (_, vertex) => pointOf(views, view, vertex));
+}
+
+/** Of a box in a frame; an empty box has any. */
+function scaleOf([left, bottom, right, top]: Box, frame: Frame): number {
+  return Math.min(
+    frame.width / Math.max(right - left, 1e-9),
+    frame.height / Math.max(top - bottom, 1e-9),
+  );
 }
 
 /** How the whole model lies in a frame; all pictures of one size and view lie alike. */
 export function fitOf(views: ModelViews, view: View, frame: Frame): Fit {
-  const [left, bottom, right, top] = boxOf(pointsOf(views, view));
-  const scale = Math.min(
-    frame.width / Math.max(right - left, 1e-9),
-    frame.height / Math.max(top - bottom, 1e-9),
-  );
+  const box = boxOf(allPoints(views, view));
+  return fitted(box, scaleOf(box, frame), frame);
+}
+
+/** Over the scale of the whole model: larger a part of it would seem to be another thing. */
+const mostEnlarged = 2.5;
+
+/** How some faces lie in a frame: as large as they go, in its middle. */
+export function fitOfFaces(
+  views: ModelViews,
+  view: View,
+  frame: Frame,
+  faces: readonly number[],
+): Fit {
+  const corners = faces.flatMap((face) => [3 * face, 3 * face + 1, 3 * face + 2]);
+  const points = corners.map((at) => pointOf(views, view, views.result.model.faces[at]!));
+  const whole = scaleOf(boxOf(allPoints(views, view)), frame);
+  const box = boxOf(points);
+  return fitted(box, Math.min(scaleOf(box, frame), mostEnlarged * whole), frame);
+}
+
+function fitted([left, bottom, right, top]: Box, scale: number, frame: Frame): Fit {
   const x0 = frame.left + frame.width / 2 - (scale * (left + right)) / 2;
   const y0 = frame.bottom + frame.height / 2 - (scale * (bottom + top)) / 2;
   return ([x, y]) => [rounded(x0 + scale * x), rounded(y0 + scale * y)];
+}
+
+/** A piece that shows less than this across is hard to find; mm on paper. */
+const smallAcross = 5;
+const ringStyle: LineStyle = { width: 0.4, colour: '#c02020', dash: [] };
+
+/** A ring around a piece that is hard to find in a picture; nothing around others. */
+export function ringAround(
+  views: ModelViews,
+  areas: readonly VisibleArea[],
+  piece: number,
+  fit: Fit,
+): PictureShape[] {
+  const points = areas
+    .filter(({ face }) => views.pieceOf[face] === piece)
+    .flatMap(({ walk }) => walk.map(fit));
+  if (points.length === 0) return [];
+  const [left, bottom, right, top] = boxOf(points);
+  const across = Math.max(right - left, top - bottom);
+  if (across > smallAcross) return [];
+  const walk = dotAround([(left + right) / 2, (bottom + top) / 2], across / 2 + 2);
+  return [{ kind: 'line', style: ringStyle, walks: [walk], closed: true }];
 }
 
 /** The colour of a face under the light. */
 function shaded(rgb: Rgb, normal: Vector, { right, up, towards }: View): string {
   const seen: Vector = [dot(normal, right), dot(normal, up), dot(normal, towards)];
   const bright = Math.round(steps * Math.max(0, dot(seen, light))) / steps;
-  return hex(rgb.map((value) => value * (shade + (1 - shade) * bright)));
+  return hexOf(rgb.map((value) => value * (shade + (1 - shade) * bright)));
 }
 
-function fills({ areas, colourOf, view, views }: PictureWish, fit: Fit): PictureShape[] {
+function fills({ areas, colourOf, fit, view, views }: PictureWish): PictureShape[] {
   const byColour = new Map<string, Point[][]>();
   for (const { face, isBack, walk } of areas) {
     const normal = views.normals[face]!;
@@ -118,8 +171,8 @@ function kindOf(
   return cosine < Math.cos((flatFold * Math.PI) / 180) ? 'crease' : null;
 }
 
-function strokes(wish: PictureWish, fit: Fit): PictureShape[] {
-  const { isThere, scene, views } = wish;
+function strokes(wish: PictureWish): PictureShape[] {
+  const { fit, isThere, scene, views } = wish;
   const byKind = { crease: [], piece: [], outline: [] } as Record<keyof typeof lines, ModelEdge[]>;
   for (const edge of views.edges) {
     const kind = kindOf(edge.faces.filter(isThere), wish);
@@ -133,8 +186,7 @@ function strokes(wish: PictureWish, fit: Fit): PictureShape[] {
   });
 }
 
-/** A picture of what is there, in its frame. */
+/** A picture of what is there. */
 export function drawModel(wish: PictureWish): PictureShape[] {
-  const fit = fitOf(wish.views, wish.view, wish.frame);
-  return [...fills(wish, fit), ...strokes(wish, fit)];
+  return [...fills(wish), ...strokes(wish)];
 }

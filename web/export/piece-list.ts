@@ -1,20 +1,36 @@
 /** All pieces, with pictures of where they belong. */
 import { building as words } from '../words/building.js';
 import type { BuildingPlan } from './building-plan.js';
-import type { VisibleArea } from './hidden-surfaces.js';
-import { drawModel, paperGrey, pieceRgb } from './model-picture.js';
+import {
+  drawModel,
+  fitOf,
+  hexOf,
+  paperGrey,
+  pieceRgb,
+  ringAround,
+  type Fit,
+} from './model-picture.js';
 import type { ModelView, ModelViews } from './model-views.js';
 import { wrapped, type Page } from './page-layout.js';
 import { dotAround, type Frame, type PictureShape } from './picture-shape.js';
 import { numberRuns } from './seam-numbers.js';
 import { capHeight, shortened } from './text-line.js';
-import type { ViewName } from './view-direction.js';
 
 const sizes = { heading: 6, name: 5, text: 2.8 } as const;
 const rowHeight = 33;
 const pictureWidth = 34;
 const gap = 6;
 const headingHeight = 12;
+/** The note at the foot of the page. */
+const noteHeight = 6;
+const lineHeight = 4;
+
+export interface PieceListInput {
+  views: ModelViews;
+  plan: BuildingPlan;
+  /** Whether the list shows where pieces are. */
+  hasPictures: boolean;
+}
 
 /** The model in grey with one piece in its colour. */
 function placeOf(views: ModelViews, piece: number, view: ModelView, frame: Frame): PictureShape[] {
@@ -22,58 +38,111 @@ function placeOf(views: ModelViews, piece: number, view: ModelView, frame: Frame
     other === piece ? pieceRgb(views, piece) : paperGrey;
   const isThere = (): boolean => true;
   const { areas, scene } = view;
-  const shapes = drawModel({ views, view: view.view, scene, areas, isThere, colourOf, frame });
-  if (!views.hides(view, piece)) return shapes;
-  const alone = views.partly(view.view, (other) => other === piece);
-  const own: VisibleArea[] = alone.scene.areas();
-  const ownFaces = new Set(alone.faces);
+  const fit = fitOf(views, view.view, frame);
+  const shapes = drawModel({ views, view: view.view, scene, areas, isThere, colourOf, fit });
+  if (views.hides(view, piece)) return [...shapes, ...aloneIn(views, piece, view, fit)];
+  return [...shapes, ...ringAround(views, areas, piece, fit)];
+}
+
+/** A piece as if nothing were in front of it. */
+function aloneIn(views: ModelViews, piece: number, { view }: ModelView, fit: Fit): PictureShape[] {
+  const { faces, scene } = views.partly(view, (other) => other === piece);
+  const there = new Set(faces);
+  const areas = scene.areas();
+  const isThere = (face: number): boolean => there.has(face);
+  const colourOf = (): readonly number[] => pieceRgb(views, piece);
   return [
-    ...shapes,
-    ...drawModel({
-      views,
-      view: view.view,
-      scene: alone.scene,
-      areas: own,
-      isThere: (face) => ownFaces.has(face),
-      colourOf,
-      frame,
-    }),
+    ...drawModel({ views, view, scene, areas, isThere, colourOf, fit }),
+    ...ringAround(views, areas, piece, fit),
   ];
 }
 
-function drawEntry(
-  page: Page,
-  views: ModelViews,
-  plan: BuildingPlan,
-  piece: number,
-  box: Frame,
-): void {
-  const { flaps, name, sheet, sources } = views.result.pieces[piece]!;
-  const usual: ViewName = 'front-left';
-  const view = views.bestFor(piece, usual);
-  const isHidden = views.hides(view, piece);
-  page.draw(placeOf(views, piece, view, { ...box, width: pictureWidth, height: box.height - 3 }));
-  const left = box.left + pictureWidth + 4;
-  const room = box.left + box.width - left;
-  const top = box.bottom + box.height - 3;
-  const colour = `#${pieceRgb(views, piece)
-    .map((value) => value.toString(16).padStart(2, '0'))
-    .join('')}`;
-  const middle = top - 3 - (capHeight * sizes.name) / 2;
-  page.draw([{ kind: 'area', colour, walks: [dotAround([left + 2, middle], 2)] }]);
-  page.text(
-    shortened(name, sizes.name, room - 6),
-    [left + 6, top - 3 - capHeight * sizes.name],
-    sizes.name,
-  );
+function wordsFor({ plan, views, hasPictures }: PieceListInput, piece: number): string[] {
+  const { flaps, sheet, sources } = views.result.pieces[piece]!;
   const { mountains, valleys } = plan.folds[piece]!;
-  const lines = [
+  const isHidden = hasPictures && views.hides(views.bestFor(piece, 'front-left'), piece);
+  return [
     words.sheet({ sheet: sheet + 1 }),
     words.faces({ faces: sources.length, flaps: flaps.edges.length }),
     words.pieceFolds({ folds: mountains + valleys, valleys }),
     ...(isHidden ? [words.hidden()] : []),
-  ].flatMap((text) => wrapped(text, sizes.text, room));
-  lines.forEach((line, i) => page.text(line, [left, top - 12.5 - 4 * i], sizes.text));
+  ];
+}
+
+function drawEntry(page: Page, input: PieceListInput, piece: number, box: Frame): void {
+  const { hasPictures, views } = input;
+  if (hasPictures) {
+    const frame = { ...box, width: pictureWidth, height: box.height - 3 };
+    page.draw(placeOf(views, piece, views.bestFor(piece, 'front-left'), frame));
+  }
+  const left = box.left + pictureWidth + 4;
+  const room = box.left + box.width - left;
+  const top = box.bottom + box.height - 3;
+  const baseline = top - 3 - capHeight * sizes.name;
+  const colour = hexOf(pieceRgb(views, piece));
+  const dot = dotAround([left + 2, baseline + (capHeight * sizes.name) / 2], 2);
+  page.draw([{ kind: 'area', colour, walks: [dot] }]);
+  const { name } = views.result.pieces[piece]!;
+  page.text(shortened(name, sizes.name, room - 6), [left + 6, baseline], sizes.name);
+  wordsFor(input, piece)
+    .flatMap((text) => wrapped(text, sizes.text, room))
+    .forEach((line, i) => page.text(line, [left, top - 12.5 - lineHeight * i], sizes.text));
+}
+
+/** Pages with a heading and so many cells below it. */
+class Cells {
+  private page: Page;
+  private used = 0;
+
+  constructor(private readonly newPage: () => Page) {
+    this.page = this.begin();
+  }
+
+  /** The next cell, on another page if need be. */
+  next(): { page: Page; box: Frame } {
+    if (this.used === this.columns * this.rows) this.page = this.begin();
+    const { columns, page, used } = this;
+    const width = (page.room - (columns - 1) * gap) / columns;
+    const left = page.margin + (used % columns) * (width + gap);
+    const bottom = this.top - (Math.floor(used / columns) + 1) * rowHeight;
+    ++this.used;
+    return { page, box: { left, bottom, width, height: rowHeight } };
+  }
+
+  /** A text below all cells. */
+  close(text: string): void {
+    const lines = wrapped(text, sizes.text, this.page.room);
+    let y = this.top - Math.ceil(this.used / this.columns) * rowHeight - lineHeight;
+    for (const line of lines) {
+      if (y < this.page.margin + noteHeight) {
+        this.page = this.begin();
+        y = this.top - lineHeight;
+      }
+      this.page.text(line, [this.page.margin, y], sizes.text);
+      y -= lineHeight;
+    }
+  }
+
+  private get columns(): number {
+    return this.page.isWide ? 3 : 2;
+  }
+
+  private get rows(): number {
+    return Math.max(1, Math.floor((this.top - this.page.margin - noteHeight) / rowHeight));
+  }
+
+  /** Lower edge of the heading. */
+  private get top(): number {
+    return this.page.height - this.page.margin - headingHeight;
+  }
+
+  private begin(): Page {
+    const page = this.newPage();
+    const top = page.height - page.margin;
+    page.text(words.piecesTitle(), [page.margin, top - capHeight * sizes.heading], sizes.heading);
+    this.used = 0;
+    return page;
+  }
 }
 
 /** What is on the sheets beside the pieces. */
@@ -88,45 +157,13 @@ function stripWords({ result: { strips } }: ModelViews): string | null {
  *
  * @param newPage begins another one
  */
-export function drawPieceList(newPage: () => Page, views: ModelViews, plan: BuildingPlan): void {
-  let page = newPage();
-  const begin = (): { columns: number; rows: number } => {
-    const top = page.height - page.margin;
-    page.text(words.piecesTitle(), [page.margin, top - capHeight * sizes.heading], sizes.heading);
-    const rows = Math.floor((page.height - 2 * page.margin - headingHeight - 6) / rowHeight);
-    return { columns: page.isWide ? 3 : 2, rows: Math.max(1, rows) };
-  };
-  let { columns, rows } = begin();
-  let cell = 0;
-  // In the order of gluing, which is that of their letters.
-  for (const piece of views.result.pieces.keys()) {
-    if (cell === columns * rows) {
-      page = newPage();
-      ({ columns, rows } = begin());
-      cell = 0;
-    }
-    const width = (page.room - (columns - 1) * gap) / columns;
-    const [column, row] = [cell % columns, Math.floor(cell / columns)];
-    drawEntry(page, views, plan, piece, {
-      left: page.margin + column * (width + gap),
-      bottom: page.height - page.margin - headingHeight - (row + 1) * rowHeight,
-      width,
-      height: rowHeight,
-    });
-    ++cell;
+export function drawPieceList(newPage: () => Page, input: PieceListInput): void {
+  const cells = new Cells(newPage);
+  // In the order in which they have their letters.
+  for (const piece of input.views.result.pieces.keys()) {
+    const { box, page } = cells.next();
+    drawEntry(page, input, piece, box);
   }
-  const strips = stripWords(views);
-  if (strips === null) return;
-  const lines = wrapped(strips, sizes.text, page.room);
-  const used = Math.ceil(cell / columns) * rowHeight + headingHeight;
-  let y = page.height - page.margin - used - 5;
-  for (const line of lines) {
-    if (y < page.margin + 6) {
-      page = newPage();
-      begin();
-      y = page.height - page.margin - headingHeight - 3;
-    }
-    page.text(line, [page.margin, y], sizes.text);
-    y -= 4;
-  }
+  const strips = stripWords(input.views);
+  if (strips !== null) cells.close(strips);
 }

@@ -5,7 +5,7 @@ import type { BuildingStep } from './building-plan.js';
 import { partnerOf, sideOn } from './building-plan.js';
 import type { Border } from '../model/border-order.js';
 import { boxOf } from './convex.js';
-import { pieceRgb } from './model-picture.js';
+import { hexOf, pieceRgb } from './model-picture.js';
 import type { ModelViews } from './model-views.js';
 import { dotAround, type Frame, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
@@ -30,13 +30,9 @@ const borderWidth = 1;
 export const borderSample: LineStyle = { width: borderWidth, colour: '#888888', dash: [] };
 const markRadius = 1.1;
 
-function rgbColour(rgb: readonly number[]): string {
-  return `#${rgb.map((value) => Math.round(value).toString(16).padStart(2, '0')).join('')}`;
-}
-
 /** Darker than the faces of the piece, so that it shows as a line. */
 export function borderStyle(views: ModelViews, piece: number): LineStyle {
-  const colour = rgbColour(pieceRgb(views, piece).map((value) => 0.7 * value));
+  const colour = hexOf(pieceRgb(views, piece).map((value) => 0.7 * value));
   return { width: borderWidth, colour, dash: [] };
 }
 
@@ -122,7 +118,7 @@ export function drawStepNet(
   const valleys = valleysOf(piece, options.flatFold);
   const fit = fitOf(cuts, frame);
   const fitted = (walks: readonly Point[][]): Point[][] => walks.map((walk) => walk.map(fit));
-  const colour = rgbColour(pieceRgb(views, step.piece));
+  const colour = hexOf(pieceRgb(views, step.piece));
   const shapes: PictureShape[] = [
     { kind: 'area', colour, walks: fitted(cuts) },
     { kind: 'line', style: styles.mountain, walks: fitted(mountains), closed: false },

@@ -67,12 +67,12 @@ const views = {
 } as const;
 
 const marks = {
-  'close-first': 'close: start here',
-  'close-last': 'close: here last',
-  'glue-first': 'glue on: start here',
-  'glue-last': 'glue on: here last',
+  'close-first': 'close: start',
+  'close-last': 'close: last edge',
+  'glue-first': 'glue on: start',
+  'glue-last': 'glue on: last edge',
   valley: 'valley fold',
-  border: 'thick: glued to that colour',
+  border: 'glued to this colour',
 } as const;
 
 /** "about 40 minutes", "about 3½ hours": nobody works to the minute. */
