@@ -33,6 +33,11 @@ export type ModelLine = readonly [from: number, to: number];
 const closeness = 1e-7;
 /** Over its square: areas below are errors of rounding. */
 const leastShare = 1e-11;
+/**
+ * Over the extent: what is seen of a line between others is left out below. Where a hidden line begins at a
+ * corner in front, rounding shows that much of it; a picture of 10 cm shows it as 0.1 mm.
+ */
+const dotShare = 1e-3;
 
 type Box = readonly [left: number, bottom: number, right: number, top: number];
 
@@ -115,6 +120,7 @@ export class Scene {
   private readonly grid: Grid;
   private readonly close: number;
   private readonly least: number;
+  private readonly dot: number;
 
   /** @param faces those that are there; of the model */
   constructor(
@@ -131,6 +137,7 @@ export class Scene {
     const extent = Math.max(right - left, top - bottom, Number.MIN_VALUE);
     this.close = closeness * extent;
     this.least = leastShare * extent * extent;
+    this.dot = dotShare * extent;
     const closed = this.isClosed(faces);
     for (const face of faces) {
       const shadow = this.shadowOf(face);
@@ -251,10 +258,9 @@ export class Scene {
       const hidden = this.hiddenSpan(this.shadows[index]!, at, depthAt);
       if (hidden) spans = spans.flatMap((span) => outside(span, hidden));
     }
-    // A dot is no line.
     const length = Math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2);
     return spans
-      .filter(([start, end]) => (end - start) * length > 10 * this.close)
+      .filter(([start, end]) => end - start === 1 || (end - start) * length > this.dot)
       .map(([start, end]) => [at(start), at(end)]);
   }
 
