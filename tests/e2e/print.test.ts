@@ -88,6 +88,32 @@ test('how lines look is part of the history, and stays for the next run', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('a cover and steps come with a download when they are ticked, and undo takes the tick back', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    const tick = page.getByLabel('with cover and building steps');
+    const pagesOf = async () => {
+      const { bytes } = await studio.download('PDF');
+      return (await readPdf(new Uint8Array(bytes))).pages;
+    };
+    const sheets = await pagesOf();
+    await tick.check();
+    const undo = page.getByRole('button', { name: 'Undo: change of lines' });
+    await undo.waitFor();
+    const all = await pagesOf();
+    expect(all.length).toBeGreaterThanOrEqual(sheets.length + 2);
+    expect(all[0]!.texts.map(({ text }) => text)).toContain('How to build it');
+    // The sheets on the page are those to cut.
+    expect(await page.locator('#sheets > li').count()).toBe(sheets.length);
+    await undo.click();
+    await undo.waitFor({ state: 'detached' });
+    expect(await tick.isChecked()).toBe(false);
+    expect(await pagesOf()).toHaveLength(sheets.length);
+    await studio.picture('print-3-assembly');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('a measured printer is corrected, said so, and remembered', () =>
   withStudio(async (studio) => {
     const { page } = studio;

@@ -7,6 +7,7 @@ import { cube } from './fixtures.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
+import { readPdf } from './pdf-file.js';
 import { schemaErrors } from './report-schema.js';
 
 interface WrittenReport {
@@ -162,6 +163,56 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(checkFold(parseFold(readFileSync(fold, 'utf8')))).toEqual([]);
       expect((await foldwright([...args, '--merge', '1,2'])).status).toBe(0);
       expect(readReport(path)).toMatchObject({ parts: 1, options: { split: [], merge: ['1,2'] } });
+    }));
+
+  it('names parts, after all other changes', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const [svg, path] = [join(folder, 'out.svg'), join(folder, 'report.json')];
+      const args = [model, '--parts', '2', '--compact', 'off', '--split', '1', '--report', path];
+      const names = ['--name', '3=Crest', '--name', '1=a=b', '-o', svg, '--quiet'];
+      expect(await foldwright([...args, ...names])).toEqual({ status: 0, stdout: '', stderr: '' });
+      const report = readReport(path);
+      expect(schemaErrors(report)).toEqual([]);
+      expect(report).toMatchObject({ parts: 3, options: { name: ['3=Crest', '1=a=b'] } });
+      const named = (report.pieces as { name: string; part: number }[]).map(
+        ({ name, part }) => `${part} ${name}`,
+      );
+      expect(named).toContain('3 Crest');
+      expect(named).toContain('1 a=b');
+    }));
+
+  it.each([
+    ['9=x', "the name 'x': there is no part 9: the model has 2"],
+    ['1=a:b', "the name 'a:b': the name of a part must not hold a colon"],
+    ['1=12', "the name '12': the name of a part must not be a number"],
+  ])('refuses the name %s in one sentence', (name, sentence) =>
+    withModel(objText(wavyRing(8)), async (folder, model) => {
+      const out = ['-o', join(folder, 'out.svg')];
+      const ended = await foldwright([model, '--parts', '2', '--quiet', ...out, '--name', name]);
+      expect(ended.status).toBe(2);
+      expect(ended.stderr).toContain(sentence);
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }),
+  );
+
+  it('adds a cover, a list of pieces and steps when they are asked for', () =>
+    withModel(objText(wavyRing(8)), async (folder, model) => {
+      const [pdf, svg, plain] = ['a.pdf', 'a.svg', 'b.pdf'].map((name) => join(folder, name));
+      const args = [model, '--parts', '3', '--quiet', '--compact', 'off'];
+      const path = join(folder, 'report.json');
+      const all = ['--assembly', 'on', '-o', pdf!, '-o', svg!, '--report', path];
+      expect((await foldwright([...args, ...all])).status).toBe(0);
+      expect((await foldwright([...args, '-o', plain!])).status).toBe(0);
+      const report = readReport(path);
+      expect(schemaErrors(report)).toEqual([]);
+      expect(report.options).toMatchObject({ assembly: 'on' });
+      const pages = async (file: string) =>
+        (await readPdf(new Uint8Array(readFileSync(file)))).pages.length;
+      const building = readdirSync(folder).filter((name) => name.startsWith('a-building-'));
+      expect(building.length).toBeGreaterThanOrEqual(3);
+      expect(await pages(plain!)).toBe(report.sheets);
+      expect(await pages(pdf!)).toBe(report.sheets + building.length);
+      expect(report.files).toContain(join(folder, building[0]!));
     }));
 
   it('makes the edits of a file one after the other', () =>

@@ -40,11 +40,18 @@ describe('print options', () => {
     });
   });
 
+  it('are true and false in programs', () => {
+    const settings = changedSettings(defaultSettings(), { assembly: true, legend: false });
+    expect(printOptions(settings)).toMatchObject({ assembly: true, legend: false });
+    expect(() => changedSettings(defaultSettings(), { parts: true })).toThrow("'true' is not");
+  });
+
   it.each([
     [],
     ['--style', 'pepakura', '--cut-width', '0.4', '--mountain-dash', '2,1,0.5,1'],
     ['--valley-dash', 'solid', '--valley-colour', '#c02020', '--flap-colour', 'none'],
     ['--flap-colour', '#eeeeee', '--flat-fold', '12', '--fold-angles', 'on', '--legend', 'off'],
+    ['--assembly', 'on'],
   ])('can be written down and read again', (...args) => {
     const looks = optionsOf(...args);
     const again = changedSettings(defaultSettings(), lookOptions(looks));
@@ -59,6 +66,7 @@ describe('print options', () => {
     ['--measured', '50', 'is not two values with a comma between them, nor off'],
     ['--measured', '50,60', 'is not a number from 45 to 55, nor off'],
     ['--fold-angles', 'yes', 'is not on or off'],
+    ['--assembly', 'cover', 'is not on or off'],
   ])('refuse %s %s', (name, value, sentence) => {
     expect(() => optionsOf(name, value)).toThrow(`option '${name}': '${value}' ${sentence}`);
   });

@@ -85,8 +85,11 @@ export class PrintPanel extends Panel {
     this.fillIn();
     this.explain();
     this.style.addEventListener('input', () => this.fillIn());
-    this.panel.addEventListener('input', () => this.preview());
-    this.panel.addEventListener('change', () => this.onChange());
+    // What comes with a file stands where it is downloaded.
+    for (const place of [this.panel, this.assembly]) {
+      place.addEventListener('input', () => this.preview());
+      place.addEventListener('change', () => this.onChange());
+    }
     this.find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
       this.across.value = this.up.value = '';
       this.preview();

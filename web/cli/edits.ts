@@ -24,7 +24,12 @@ export function merge(text: string): DocumentEdit {
 export function partName(text: string): Extract<DocumentEdit, { kind: 'name' }> {
   const [, part, name] = /^([^=]*)=(.+)$/s.exec(text) ?? [];
   if (part === undefined || name === undefined) throw new BadValue('is not PART=TEXT');
-  return { kind: 'name', part: anyPart(part), text: name };
+  try {
+    return { kind: 'name', part: anyPart(part), text: name };
+  } catch (error) {
+    if (!(error instanceof BadValue)) throw error;
+    throw new BadValue(`names no part: '${part}' ${error.message}`);
+  }
 }
 
 /**
