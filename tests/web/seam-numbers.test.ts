@@ -39,6 +39,16 @@ describe.skipIf(!isEngineBuilt)('numbers found beside edges', () => {
     },
   );
 
+  it('are of no seam whose own number had no room', async () => {
+    const small = { parts: 6, sizing: 'height', size: 40 } as const;
+    const result = await engineResult(objText(wavyRing(12)), small);
+    const right = counted(result);
+    const found = seamNumbers(result.pieces);
+    expect(result.ids.skipped.length).toBeGreaterThan(20);
+    expect(found.size).toBe(result.ids.printed);
+    for (const [edge, number] of found) expect(number).toBe(right.get(edge));
+  });
+
   it('are none where none are printed', async () => {
     const result = await engineResult(objText(wavyRing(10)), { parts: 4, ids: 'none' });
     expect(seamNumbers(result.pieces).size).toBe(0);

@@ -181,7 +181,7 @@ export const building: BuildingWords = {
   close,
   glue,
   apart: () =>
-    'It stands alone on the others: glue it on where the picture shows it, number to number where there are any.',
+    'It is glued onto the others: put it where the picture shows it. If it has numbers left, look for the same numbers there.',
   finish: ({ last }) =>
     last === null
       ? 'That was the last edge: the model is done.'
