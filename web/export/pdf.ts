@@ -52,6 +52,9 @@ function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
   return closed ? [...steps, closePath()] : steps;
 }
 
+/** Operators are handed over as arguments, of which there may not be too many. */
+const mostWalks = 5000;
+
 /** Writes one sheet on its page. */
 class PageWriter {
   constructor(
@@ -142,6 +145,12 @@ class PageWriter {
   }
 
   private picture(shape: PictureShape): void {
+    for (let first = 0; first < shape.walks.length; first += mostWalks) {
+      this.part({ ...shape, walks: shape.walks.slice(first, first + mostWalks) });
+    }
+  }
+
+  private part(shape: PictureShape): void {
     const { kind, walks } = shape;
     if (kind === 'line') {
       this.lines(shape.style, walks, shape.closed);
@@ -184,9 +193,9 @@ class PageWriter {
 }
 
 /**
- * All sheets as one vector PDF at true size, a page for each, after those that tell how to build the model if
- * they were asked for, with scaling switched off in the
- * print dialogue, and of each font the letters that are used. The same print gives the same bytes.
+ * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the print
+ * dialogue, and of each font the letters that are used; before them the pages that tell how to build the
+ * model, if they were asked for. The same print gives the same bytes.
  */
 export async function writePdf(print: Print): Promise<Uint8Array> {
   const { title, look, loadFont } = print;

@@ -24,9 +24,9 @@ function attributes(values: Record<string, string | number>): string {
     .join(' ');
 }
 
-function strokeOf({ width, colour, dash }: LineStyle): string {
+function strokeOf({ width, colour, dash }: LineStyle, fill = 'none'): string {
   return attributes({
-    fill: 'none',
+    fill,
     stroke: colour,
     'stroke-width': width,
     'stroke-linecap': dash.length > 0 ? 'butt' : 'round',
@@ -142,9 +142,7 @@ class SheetWriter {
   private shape(shape: PictureShape): string {
     const isLine = shape.kind === 'line';
     const data = shape.walks.map((walk) => this.walk(walk, !isLine || shape.closed)).join('');
-    const paint = isLine
-      ? strokeOf(shape.style)
-      : strokeOf(edgeStyle(shape.colour)).replace('fill="none"', `fill="${shape.colour}"`);
+    const paint = isLine ? strokeOf(shape.style) : strokeOf(edgeStyle(shape.colour), shape.colour);
     return `<path ${paint} d="${data}"/>`;
   }
 
