@@ -119,6 +119,29 @@ describe('pages that tell how to build a model', () => {
     expect(seams).toBe(edges.length);
   });
 
+  it.each([
+    ['all pictures', 0, [true, true]],
+    ['a list with pictures, steps without', 70_000, [true, false]],
+    ['pictures on the cover alone', 150_000, [false, false]],
+  ])('have %s where the model has %d more faces', async (_, more, expected) => {
+    const result = boxAndLidResult();
+    const { model } = result;
+    // Of no piece, and so never drawn: they count alone.
+    const faces = new Int32Array(model.faces.length + 3 * more);
+    faces.set(model.faces);
+    const { pages } = await withPages({ ...result, model: { ...model, faces } });
+    const grey = ({ picture }: SheetDrawing): boolean =>
+      picture!.some(
+        (shape) =>
+          shape.kind === 'area' &&
+          /^#(..)\1\1$/.test(shape.colour) &&
+          shape.colour !== '#ffffff' &&
+          shape.colour !== '#222222',
+      );
+    expect(pages.slice(1).map(grey)).toEqual(expected);
+    expect(pages[0]!.picture!.some(({ kind }) => kind === 'area')).toBe(true);
+  });
+
   it('are the same bytes every time', async () => {
     const write = async () => writePdf(await withPages(boxAndLidResult()));
     expect(await write()).toEqual(await write());

@@ -181,7 +181,8 @@ export const building: BuildingWords = {
   close,
   glue,
   apart: () =>
-    'It is glued onto the others: put it where the picture shows it. If it has numbers left, look for the same numbers there.',
+    'No edge of it is glued to the pieces before: put it where the picture shows it. If it has numbers left, ' +
+    'look for the same numbers there.',
   finish: ({ last }) =>
     last === null
       ? 'That was the last edge: the model is done.'
