@@ -139,15 +139,23 @@ class SheetWriter {
   }
 }
 
-function group(id: string, content: string[]): string {
-  return [`<g id="${id}">`, ...content, '</g>'].join('\n');
+const namespaces = attributes({
+  xmlns: 'http://www.w3.org/2000/svg',
+  'xmlns:inkscape': 'http://www.inkscape.org/namespaces/inkscape',
+});
+
+/** A group that Inkscape lists as a layer by its title; nothing if it is empty. */
+function group(id: string, title: string, content: string[]): string[] {
+  if (content.length === 0) return [];
+  const layer = attributes({ id, 'inkscape:groupmode': 'layer', 'inkscape:label': title });
+  return [`<g ${layer}>`, ...content, '</g>'];
 }
 
 /**
  * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
- * in mm, no style sheet, and no transforms but the turn of a text about its own place. All groups
- * are there, empty or not, in a fixed order, so that cutting programs find the same layers in every
- * file. Texts are text, but for letters that not every reader has: those are outlines.
+ * in mm, no style sheet, and no transforms but the turn of a text about its own place. Groups come
+ * in a fixed order, without those that are empty, and are layers in Inkscape. Texts are text, but
+ * for letters that not every reader has: those are outlines.
  */
 export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string {
   const drawing = sheets[sheet]!;
@@ -160,14 +168,13 @@ export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string 
   const writer = new SheetWriter(drawing, look, fonts);
   return [
     '<?xml version="1.0" encoding="UTF-8"?>',
-    `<svg xmlns="http://www.w3.org/2000/svg" ${size}>`,
-    group('texture', []),
-    group('guide', writer.guide()),
-    group('flap', writer.flaps()),
-    group('fold-mountain', writer.mountains()),
-    group('fold-valley', writer.valleys()),
-    group('id', writer.labels()),
-    group('cut', writer.cuts()),
+    `<svg ${namespaces} ${size}>`,
+    ...group('guide', 'Guide', writer.guide()),
+    ...group('flap', 'Flaps', writer.flaps()),
+    ...group('fold-mountain', 'Mountain folds', writer.mountains()),
+    ...group('fold-valley', 'Valley folds', writer.valleys()),
+    ...group('id', 'Numbers', writer.labels()),
+    ...group('cut', 'Cuts', writer.cuts()),
     '</svg>',
     '',
   ].join('\n');
