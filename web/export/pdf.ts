@@ -8,7 +8,10 @@ import {
   lineTo,
   moveTo,
   PDFDocument,
+  PDFName,
   popGraphicsState,
+  PDFOperator,
+  PDFOperatorNames,
   PrintScaling,
   pushGraphicsState,
   rgb,
@@ -22,14 +25,15 @@ import {
   setTextMatrix,
   showText,
   stroke,
-  type PDFOperator,
   type PDFPage,
 } from 'pdf-lib';
 import type { LineStyle } from '../model/print-options.js';
 import { FontSet } from './font-set.js';
+import type { Layer } from './layers.js';
 import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { PdfFonts } from './pdf-fonts.js';
+import { PdfLayers } from './pdf-layers.js';
 import type { Point } from './point.js';
 import { textsOf, type Print } from './print.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
@@ -52,15 +56,18 @@ function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
 
 /** Writes one sheet on its page. */
 class PageWriter {
+  private readonly operators: PDFOperator[] = [];
+
   constructor(
     private readonly page: PDFPage,
     private readonly look: Look,
     private readonly fonts: PdfFonts,
+    private readonly layers: PdfLayers,
   ) {}
 
   private lines(style: LineStyle, walks: readonly Point[][], closed: boolean): void {
     if (walks.length === 0) return;
-    this.page.pushOperators(
+    this.operators.push(
       pushGraphicsState(),
       setStrokingColor(colour(style.colour)),
       setLineWidth(points(style.width)),
@@ -74,7 +81,7 @@ class PageWriter {
 
   private areas(hex: string, walks: readonly Point[][]): void {
     if (hex === 'none' || walks.length === 0) return;
-    this.page.pushOperators(
+    this.operators.push(
       pushGraphicsState(),
       setFillingColor(colour(hex)),
       ...walks.flatMap((walk) => [...path(walk, true), fill()]),
@@ -99,7 +106,7 @@ class PageWriter {
         continue;
       }
       const [x, y] = on(along, 0);
-      this.page.pushOperators(
+      this.operators.push(
         beginText(),
         setFillingColor(colour(this.look.text)),
         setFontAndSize(this.fonts.key(this.page, run.slice), points(size)),
@@ -125,52 +132,77 @@ class PageWriter {
 
   private piece(piece: PieceDrawing): void {
     const { cut, mountain, valley } = this.look.lines;
-    this.areas(this.look.flaps, piece.flaps);
-    this.lines(mountain, piece.mountains, false);
-    this.lines(valley, piece.valleys, false);
-    for (const text of piece.texts) this.text(text);
-    this.lines(cut, piece.cuts, true);
+    this.layer('flap', () => this.areas(this.look.flaps, piece.flaps));
+    this.layer('fold-mountain', () => this.lines(mountain, piece.mountains, false));
+    this.layer('fold-valley', () => this.lines(valley, piece.valleys, false));
+    this.layer('id', () => {
+      for (const text of piece.texts) this.text(text);
+    });
+    this.layer('cut', () => this.lines(cut, piece.cuts, true));
   }
 
-  /** What belongs together is marked with a name, as the SVG's groups and pieces are. */
-  private marked(name: string, draw: () => void): void {
-    this.page.pushOperators(beginMarkedContent(name));
+  /** Encloses what is drawn, if anything is. */
+  private enclosed(begin: () => PDFOperator, draw: () => void): void {
+    const start = this.operators.length;
     draw();
-    this.page.pushOperators(endMarkedContent());
+    if (this.operators.length === start) return;
+    this.operators.splice(start, 0, begin());
+    this.operators.push(endMarkedContent());
+  }
+
+  /** What belongs together is marked with a name, as the SVG's pieces are. */
+  private marked(name: string, draw: () => void): void {
+    this.enclosed(() => beginMarkedContent(name), draw);
+  }
+
+  private layer(layer: Layer, draw: () => void): void {
+    const begin = (): PDFOperator =>
+      PDFOperator.of(PDFOperatorNames.BeginMarkedContentSequence, [
+        PDFName.of('OC'),
+        this.layers.key(this.page, layer),
+      ]);
+    this.enclosed(begin, draw);
   }
 
   write({ pieces, frame }: SheetDrawing): void {
-    this.marked('guide', () => {
-      for (const { points: walk, closed, sample } of frame.strokes) {
-        if (sample === 'flap') this.areas(this.look.flaps, [walk]);
-        else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
-      }
-      for (const text of frame.texts) this.text(text);
-    });
+    this.marked('guide', () =>
+      this.layer('guide', () => {
+        for (const { points: walk, closed, sample } of frame.strokes) {
+          if (sample === 'flap') this.areas(this.look.flaps, [walk]);
+          else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
+        }
+        for (const text of frame.texts) this.text(text);
+      }),
+    );
     for (const piece of pieces) {
-      this.marked(`guide-${piece.letter}`, () => {
-        this.lines(leaderStyle(this.look), piece.guides, false);
-      });
+      this.marked(`guide-${piece.letter}`, () =>
+        this.layer('guide', () => this.lines(leaderStyle(this.look), piece.guides, false)),
+      );
       this.marked(`piece-${piece.letter}`, () => this.piece(piece));
     }
+    // One by one: a large sheet has more than a call takes arguments.
+    for (const operator of this.operators) this.page.pushOperators(operator);
   }
 }
 
 /**
  * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the
- * print dialogue, and of each font the letters that are used. The same print gives the same bytes.
+ * print dialogue, and of each font the letters that are used. What the
+ * SVG has as groups are layers. The same print gives the same bytes.
  */
 export async function writePdf(print: Print): Promise<Uint8Array> {
   const { title, look, sheets, loadFont } = print;
   const document = await PDFDocument.create({ updateMetadata: false });
   const set = print.fonts ?? (await FontSet.load(textsOf(sheets), loadFont));
   const fonts = await PdfFonts.embed(document, set);
+  const layers = new PdfLayers(document);
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
   document.catalog.getOrCreateViewerPreferences().setPrintScaling(PrintScaling.None);
   for (const sheet of sheets) {
     const page = document.addPage([points(sheet.width), points(sheet.height)]);
-    new PageWriter(page, look, fonts).write(sheet);
+    new PageWriter(page, look, fonts, layers).write(sheet);
   }
+  layers.list();
   return document.save();
 }

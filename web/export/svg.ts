@@ -1,5 +1,6 @@
 import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
+import { layers, layerTitles, type Layer } from './layers.js';
 import { guideStyle, leaderStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
 import type { Point, Segment } from './point.js';
@@ -66,21 +67,33 @@ class SheetWriter {
     );
   }
 
-  cuts(): string[] {
+  /** What is drawn in a layer; nothing where it is empty. */
+  layer(layer: Layer): string[] {
+    switch (layer) {
+      case 'guide':
+        return this.guide();
+      case 'flap':
+        return this.flaps();
+      case 'fold-mountain':
+        return this.folds('mountain', ({ mountains }) => mountains);
+      case 'fold-valley':
+        return this.folds('valley', ({ valleys }) => valleys);
+      case 'id':
+        return this.labels();
+      case 'cut':
+        return this.cuts();
+      default:
+        return [];
+    }
+  }
+
+  private cuts(): string[] {
     return this.paths(strokeOf(this.look.lines.cut), ({ cuts }) =>
       cuts.map((walk) => this.walk(walk, true)),
     );
   }
 
-  mountains(): string[] {
-    return this.folds('mountain', ({ mountains }) => mountains);
-  }
-
-  valleys(): string[] {
-    return this.folds('valley', ({ valleys }) => valleys);
-  }
-
-  flaps(): string[] {
+  private flaps(): string[] {
     const fill = this.look.flaps;
     if (fill === 'none') return [];
     return this.paths(attributes({ fill }), ({ flaps }) =>
@@ -111,13 +124,13 @@ class SheetWriter {
     return `<text ${owner}${place}>${escaped(line.text)}</text>`;
   }
 
-  labels(): string[] {
+  private labels(): string[] {
     return this.drawing.pieces.flatMap(({ letter, texts }) =>
       texts.map((line) => this.text(line, `data-piece="${escaped(letter)}" `)),
     );
   }
 
-  guide(): string[] {
+  private guide(): string[] {
     const { strokes, texts } = this.drawing.frame;
     const kinds = ['flap', undefined, 'mountain', 'valley', 'cut'] as const;
     const paths = kinds.flatMap((kind) => {
@@ -145,8 +158,9 @@ const namespaces = attributes({
 });
 
 /** A group that Inkscape lists as a layer by its title; nothing if it is empty. */
-function group(id: string, title: string, content: string[]): string[] {
+function group(id: Layer, content: string[]): string[] {
   if (content.length === 0) return [];
+  const title = layerTitles[id];
   const layer = attributes({ id, 'inkscape:groupmode': 'layer', 'inkscape:label': title });
   return [`<g ${layer}>`, ...content, '</g>'];
 }
@@ -169,12 +183,7 @@ export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string 
   return [
     '<?xml version="1.0" encoding="UTF-8"?>',
     `<svg ${namespaces} ${size}>`,
-    ...group('guide', 'Guide', writer.guide()),
-    ...group('flap', 'Flaps', writer.flaps()),
-    ...group('fold-mountain', 'Mountain folds', writer.mountains()),
-    ...group('fold-valley', 'Valley folds', writer.valleys()),
-    ...group('id', 'Numbers', writer.labels()),
-    ...group('cut', 'Cuts', writer.cuts()),
+    ...layers.flatMap((layer) => group(layer, writer.layer(layer))),
     '</svg>',
     '',
   ].join('\n');
