@@ -70,7 +70,6 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--split'], "option '--split <part[:k]>' argument missing"],
     [['--merge', '3'], "option '--merge': '3' is not A,B"],
     [['--merge', '3;4'], "option '--merge': '3;4' is not a whole number from 1"],
-    [['-o', 'out.dxf'], "'out.dxf': the format .dxf does not exist in this version yet"],
     [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],

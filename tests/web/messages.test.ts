@@ -15,6 +15,8 @@ const own = Object.keys({
   'beyond-page': 0,
   'missing-glyphs': 0,
   'fonts-not-loaded': 0,
+  'marks-not-free': 0,
+  'cricut-area': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
 async function engineCodes(): Promise<string[]> {

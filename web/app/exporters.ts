@@ -21,6 +21,7 @@ export interface ExportInput {
 const mediaTypes: Readonly<Record<ExportFormat, string>> = {
   pdf: 'application/pdf',
   svg: 'image/svg+xml',
+  dxf: 'image/vnd.dxf',
   fold: 'application/json',
   glb: 'model/gltf-binary',
 };

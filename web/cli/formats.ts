@@ -6,7 +6,7 @@ import type { JobResult } from '../model/job.js';
 import { usageError } from './exit.js';
 import type { OutputFile } from './write-files.js';
 
-const laterFormats = ['dxf', 'png'];
+const laterFormats = ['png'];
 
 const endingOf = (path: string): string => extname(path).slice(1).toLowerCase();
 

@@ -14,18 +14,27 @@ const needsFlaps: Need = {
   isMet: (all) => all.flaps !== 'none' || all['flap-borders'] === 'on',
 };
 const needsFolding: Need = { without: 'folding', isMet: ({ folding }) => folding !== 'off' };
+const needsScissors: Need = {
+  without: "'--machine none'",
+  isMet: ({ machine }) => machine === 'none',
+};
 
-const needs: Partial<Record<keyof Settings, Need>> = {
-  unit: needsScale,
-  'flap-angle': needsFlaps,
-  'flap-side': needsFlaps,
-  'flap-colour': needsFlaps,
-  clearance: needsFolding,
+const needs: Partial<Record<keyof Settings, Need[]>> = {
+  unit: [needsScale],
+  'flap-angle': [needsFlaps],
+  'flap-side': [needsFlaps],
+  'flap-colour': [needsFlaps, needsScissors],
+  clearance: [needsFolding],
+  style: [needsScissors],
+  legend: [needsScissors],
+  measured: [needsScissors],
 };
 
 /** One phrase for each of the given options that changes nothing; none if all do. */
 export function idleOptions(given: ReadonlySet<string>, settings: Settings): string[] {
-  return Object.entries(needs)
-    .filter(([name, { isMet }]) => given.has(name) && !isMet(settings))
-    .map(([name, { without }]) => `option '--${name}' changes nothing without ${without}`);
+  return Object.entries(needs).flatMap(([name, all]) => {
+    if (!given.has(name)) return [];
+    const missing = all.find(({ isMet }) => !isMet(settings));
+    return missing ? [`option '--${name}' changes nothing without ${missing.without}`] : [];
+  });
 }

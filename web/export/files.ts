@@ -14,6 +14,19 @@ export interface ExportSource {
 
 const utf8 = new TextEncoder();
 
+/** A file for each sheet, numbered where there are several. */
+async function eachSheet(
+  { print, name }: ExportSource,
+  write: (sheet: number) => Uint8Array | Promise<Uint8Array>,
+): Promise<WrittenFile[]> {
+  const files: WrittenFile[] = [];
+  const count = print.sheets.length;
+  for (let sheet = 0; sheet < count; ++sheet) {
+    files.push({ name: sheetName(name, sheet, count), bytes: await write(sheet) });
+  }
+  return files;
+}
+
 type Writer = (source: ExportSource) => Promise<WrittenFile[]>;
 
 // Each loads when it is first asked for: the PDF writer is larger than all else.
@@ -22,17 +35,20 @@ const writers: Readonly<Record<ExportFormat, Writer>> = {
     const { writeFold } = await import('./fold.js');
     return [{ name, bytes: utf8.encode(writeFold(result)) }];
   },
-  async svg({ print, name }) {
+  async svg(source) {
     const { writeSvg } = await import('./svg.js');
-    const count = print.sheets.length;
-    return print.sheets.map((_, sheet) => ({
-      name: sheetName(name, sheet, count),
-      bytes: utf8.encode(writeSvg(print, sheet)),
-    }));
+    return eachSheet(source, (sheet) => utf8.encode(writeSvg(source.print, sheet)));
   },
-  async pdf({ print, name }) {
+  async dxf(source) {
+    const { writeDxf } = await import('./dxf.js');
+    return eachSheet(source, async (sheet) => utf8.encode(await writeDxf(source.print, sheet)));
+  },
+  async pdf(source) {
     const { writePdf } = await import('./pdf.js');
-    return [{ name, bytes: await writePdf(print) }];
+    const { print, name } = source;
+    if (print.machine === 'none') return [{ name, bytes: await writePdf(print) }];
+    // A machine takes a file for each of its mats.
+    return eachSheet(source, (sheet) => writePdf(print, [print.sheets[sheet]!]));
   },
   async glb({ result, name }) {
     const { writeGlb } = await import('./glb.js');
@@ -40,7 +56,7 @@ const writers: Readonly<Record<ExportFormat, Writer>> = {
   },
 };
 
-/** All files of a result in one format: one for each sheet as SVG, else one. */
+/** All files of a result in one format: one, or one for each sheet in formats of single sheets. */
 export function writeFiles(format: ExportFormat, source: ExportSource): Promise<WrittenFile[]> {
   return writers[format](source);
 }

@@ -28,14 +28,16 @@ import {
   type PDFPage,
 } from 'pdf-lib';
 import type { LineStyle } from '../model/print-options.js';
-import { FontSet } from './font-set.js';
+import type { FontSet } from './font-set.js';
 import type { Layer } from './layers.js';
-import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
+import { outlinesOf, walksOf } from './outlines.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { PdfFonts } from './pdf-fonts.js';
 import { PdfLayers } from './pdf-layers.js';
 import type { Point } from './point.js';
-import { textsOf, type Print } from './print.js';
+import { fontsOf, type Print } from './print.js';
+import type { RegistrationMarks } from './registration.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
 import { directionOf, type TextLine } from './text-line.js';
 
@@ -49,6 +51,8 @@ function colour(hex: string): ReturnType<typeof rgb> {
   return rgb(channel(1), channel(3), channel(5));
 }
 
+const black = '#000000';
+
 function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
   const steps = walk.map(([x, y], i) => (i === 0 ? moveTo : lineTo)(points(x), points(y)));
   return closed ? [...steps, closePath()] : steps;
@@ -61,18 +65,25 @@ class PageWriter {
   constructor(
     private readonly page: PDFPage,
     private readonly look: Look,
-    private readonly fonts: PdfFonts,
+    /** Of texts as text, or of those whose outlines a pen draws. */
+    private readonly fonts: PdfFonts | FontSet,
     private readonly layers: PdfLayers,
   ) {}
 
-  private lines(style: LineStyle, walks: readonly Point[][], closed: boolean): void {
+  /** @param isSharp whether lines end where they end, and have corners; else both are rounded */
+  private lines(
+    style: LineStyle,
+    walks: readonly Point[][],
+    closed: boolean,
+    isSharp = false,
+  ): void {
     if (walks.length === 0) return;
     this.operators.push(
       pushGraphicsState(),
       setStrokingColor(colour(style.colour)),
       setLineWidth(points(style.width)),
-      setLineJoin(1),
-      setLineCap(style.dash.length > 0 ? 0 : 1),
+      setLineJoin(isSharp ? 0 : 1),
+      setLineCap(isSharp || style.dash.length > 0 ? 0 : 1),
       setDashPattern(style.dash.map(points), 0),
       ...walks.flatMap((walk) => [...path(walk, closed), stroke()]),
       popGraphicsState(),
@@ -89,11 +100,17 @@ class PageWriter {
     );
   }
 
+  private text(line: TextLine): void {
+    const { fonts } = this;
+    if (fonts instanceof PdfFonts) this.printed(line, fonts);
+    else this.lines(penStyle(this.look), walksOf(outlinesOf(line, fonts)), true);
+  }
+
   /** Runs of letters from each font in turn, and boxes for those that none has. */
-  private text({ text, at, anchor, angle, size }: TextLine): void {
+  private printed({ text, at, anchor, angle, size }: TextLine, fonts: PdfFonts): void {
     const [cosine, sine] = directionOf(angle);
-    const runs = this.fonts.runs(text);
-    const width = runs.reduce((sum, run) => sum + this.fonts.width(run), 0);
+    const runs = fonts.runs(text);
+    const width = runs.reduce((sum, run) => sum + fonts.width(run), 0);
     let along = anchor === 'middle' ? -width / 2 : 0;
     const on = (x: number, y: number): Point => [
       at[0] + size * (x * cosine - y * sine),
@@ -109,12 +126,12 @@ class PageWriter {
       this.operators.push(
         beginText(),
         setFillingColor(colour(this.look.text)),
-        setFontAndSize(this.fonts.key(this.page, run.slice), points(size)),
+        setFontAndSize(fonts.key(this.page, run.slice), points(size)),
         setTextMatrix(cosine, sine, -sine, cosine, points(x), points(y)),
-        showText(this.fonts.font(run.slice).encodeText(run.letters)),
+        showText(fonts.font(run.slice).encodeText(run.letters)),
         endText(),
       );
-      along += this.fonts.width(run);
+      along += fonts.width(run);
     }
   }
 
@@ -164,7 +181,13 @@ class PageWriter {
     this.enclosed(begin, draw);
   }
 
-  write({ pieces, frame }: SheetDrawing): void {
+  private registration({ square, corners, width }: RegistrationMarks): void {
+    this.areas(black, [square]);
+    this.lines({ width, colour: black, dash: [] }, corners, false, true);
+  }
+
+  write({ pieces, frame, registration }: SheetDrawing): void {
+    if (registration) this.layer('registration', () => this.registration(registration));
     this.marked('guide', () =>
       this.layer('guide', () => {
         for (const { points: walk, closed, sample } of frame.strokes) {
@@ -186,15 +209,15 @@ class PageWriter {
 }
 
 /**
- * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the
+ * Sheets (by default all of them) as one vector PDF at true size, a page for each, with scaling switched off in the
  * print dialogue, and of each font the letters that are used. What the
  * SVG has as groups are layers. The same print gives the same bytes.
  */
-export async function writePdf(print: Print): Promise<Uint8Array> {
-  const { title, look, sheets, loadFont } = print;
+export async function writePdf(print: Print, sheets = print.sheets): Promise<Uint8Array> {
+  const { title, look, machine } = print;
   const document = await PDFDocument.create({ updateMetadata: false });
-  const set = print.fonts ?? (await FontSet.load(textsOf(sheets), loadFont));
-  const fonts = await PdfFonts.embed(document, set);
+  const set = await fontsOf(print);
+  const fonts = machine === 'none' ? await PdfFonts.embed(document, set) : set;
   const layers = new PdfLayers(document);
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');

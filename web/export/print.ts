@@ -1,11 +1,12 @@
 import type { JobResult, Notice } from '../model/job.js';
-import { isCalibrated, type PrintOptions } from '../model/print-options.js';
+import { isCalibrated, type Machine, type PrintOptions } from '../model/print-options.js';
 import { calibrated, corrections, overrun } from './calibration.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
 import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
+import { forMachine, machineNotices } from './machine.js';
 import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
 
@@ -24,8 +25,11 @@ export interface PrintInput {
 export interface Print {
   title: string;
   look: Look;
+  machine: Machine;
+  /** Pixels to the inch of pictures. */
+  dpi: number;
   sheets: SheetDrawing[];
-  /** Null while all texts are in letters that every reader of files has. */
+  /** Null while all texts are in letters that every reader of files has, and are printed as text. */
   fonts: FontSet | null;
   loadFont: FontLoader;
   /** What a person should know of the sheets beside what the job told. */
@@ -58,13 +62,12 @@ function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notic
   return notices;
 }
 
-/** The fonts for letters that not every reader has; null where there are none, or none came. */
+/** The fonts of texts that become outlines; null if they did not come. */
 async function loadFonts(
   texts: string[],
   loadFont: FontLoader,
   notices: Notice[],
 ): Promise<FontSet | null> {
-  if (texts.every(isPlain)) return null;
   const { FontSet } = await import('./font-set.js');
   try {
     const fonts = await FontSet.load(texts, loadFont);
@@ -94,7 +97,7 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
       frame: frameSheet({ width, height, margin, title: cleaned(title), note }),
     };
   });
-  if (!options.legend) return { sheets, lacksLegend: false };
+  if (!options.legend || options.machine !== 'none') return { sheets, lacksLegend: false };
   const found = placeLegend(sheets, margin);
   if (!found) return { sheets, lacksLegend: true };
   const { strokes, texts } = sheets[found.sheet]!.frame;
@@ -106,15 +109,28 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
 }
 
 /**
- * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
- * has is drawn as a box and told in the notices, and so is it when fonts do not come.
+ * Draws all sheets. Fonts are loaded only for letters that not every reader has, and for machines;
+ * whatever no font has is drawn as a box and told in the notices, and so is it when fonts do not come.
  */
 export async function preparePrint(input: PrintInput): Promise<Print> {
   const { options, loadFont } = input;
+  const { machine, dpi } = options;
   const { sheets: drawn, lacksLegend } = drawSheets(input);
   const factors = corrections(options);
-  const sheets = drawn.map((sheet) => calibrated(sheet, factors));
-  const notices = noticesOf(sheets, lacksLegend);
-  const fonts = await loadFonts(textsOf(sheets), loadFont, notices);
-  return { title: cleaned(input.title), look: lookOf(options), sheets, fonts, loadFont, notices };
+  const sheets = drawn.map((sheet) =>
+    machine === 'none' ? calibrated(sheet, factors) : forMachine(sheet, machine),
+  );
+  const notices = [...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
+  const texts = textsOf(sheets);
+  const isText = machine === 'none' && texts.every(isPlain);
+  const fonts = isText ? null : await loadFonts(texts, loadFont, notices);
+  const title = cleaned(input.title);
+  return { title, look: lookOf(options), machine, dpi, sheets, fonts, loadFont, notices };
+}
+
+/** All fonts that the texts need, for formats that have none of their own. */
+export async function fontsOf({ fonts, sheets, loadFont }: Print): Promise<FontSet> {
+  if (fonts) return fonts;
+  const { FontSet } = await import('./font-set.js');
+  return FontSet.load(textsOf(sheets), loadFont);
 }

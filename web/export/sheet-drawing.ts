@@ -3,6 +3,8 @@ import type { PrintOptions } from '../model/print-options.js';
 import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
 import type { Point, Segment } from './point.js';
+import { sidesOf } from './polygon.js';
+import type { RegistrationMarks } from './registration.js';
 import { centredLine, type TextLine } from './text-line.js';
 
 /**
@@ -32,6 +34,8 @@ export interface SheetDrawing {
   height: number;
   pieces: PieceDrawing[];
   frame: SheetFrame;
+  /** By which a machine finds the sheet, if it cuts what was printed before. */
+  registration?: RegistrationMarks;
 }
 
 type At = (vertex: number) => Point;
@@ -89,10 +93,6 @@ function angledFolds(piece: Piece, flatFold: number, at: At): AngledFold[] {
     folds.push({ line: [at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)], angle });
   });
   return folds;
-}
-
-function sidesOf(walk: readonly Point[]): Segment[] {
-  return walk.map((from, i) => [from, walk[(i + 1) % walk.length]!]);
 }
 
 /** Points of pairs of coordinates, moved. */

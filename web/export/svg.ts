@@ -1,7 +1,7 @@
 import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
 import { layers, layerTitles, type Layer } from './layers.js';
-import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
@@ -35,12 +35,19 @@ function strokeOf({ width, colour, dash }: LineStyle): string {
   });
 }
 
+/**
+ * What texts become: text where every reader has its letters, or outlines of all letters, either
+ * filled or as lines for a pen.
+ */
+export type TextForm = 'text' | 'filled' | 'drawn';
+
 /** Writes one sheet; holds the flip of y, the only change of coordinates on the way into SVG. */
 class SheetWriter {
   constructor(
     private readonly drawing: SheetDrawing,
     private readonly look: Look,
     private readonly fonts: FontSet | null,
+    private readonly texts: TextForm,
   ) {}
 
   private at([x, y]: Point): string {
@@ -70,6 +77,8 @@ class SheetWriter {
   /** What is drawn in a layer; nothing where it is empty. */
   layer(layer: Layer): string[] {
     switch (layer) {
+      case 'registration':
+        return this.registration();
       case 'guide':
         return this.guide();
       case 'flap':
@@ -87,6 +96,17 @@ class SheetWriter {
     }
   }
 
+  private registration(): string[] {
+    const { registration } = this.drawing;
+    if (!registration) return [];
+    const { square, corners, width } = registration;
+    const lines = attributes({ fill: 'none', stroke: '#000000', 'stroke-width': width });
+    return [
+      `<path fill="#000000" d="${this.walk(square, true)}"/>`,
+      `<path ${lines} d="${corners.map((corner) => this.walk(corner, false)).join('')}"/>`,
+    ];
+  }
+
   private cuts(): string[] {
     return this.paths(strokeOf(this.look.lines.cut), ({ cuts }) =>
       cuts.map((walk) => this.walk(walk, true)),
@@ -101,13 +121,19 @@ class SheetWriter {
     );
   }
 
+  private outlinePaint(): string {
+    if (this.texts === 'drawn') return strokeOf(penStyle(this.look));
+    return attributes({ fill: this.look.text });
+  }
+
   /** Letters that not every reader has are drawn as what they look like. */
   private text(line: TextLine, owner: string): string {
-    if (this.fonts && !isPlain(line.text)) {
+    if (this.fonts && (this.texts !== 'text' || !isPlain(line.text))) {
       const data = outlinesOf(line, this.fonts)
         .map(({ command, points }) => command + points.map((point) => this.at(point)).join(' '))
         .join('');
-      return `<path ${owner}data-text="${escaped(line.text)}" fill="${this.look.text}" d="${data}"/>`;
+      const text = attributes({ 'data-text': escaped(line.text) });
+      return `<path ${owner}${text} ${this.outlinePaint()} d="${data}"/>`;
     }
     const [left, top] = this.at(line.at).split(' ');
     const turn = decimal(-line.angle);
@@ -166,25 +192,34 @@ function group(id: Layer, content: string[]): string[] {
 }
 
 /**
- * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
- * in mm, no style sheet, and no transforms but the turn of a text about its own place. Groups come
- * in a fixed order, without those that are empty, and are layers in Inkscape. Texts are text, but
- * for letters that not every reader has: those are outlines.
+ * One sheet, counted from 0, as an SVG document of this width, height and viewBox (in mm).
+ *
+ * @param texts what becomes of texts; outlines need the print's fonts
  */
-export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string {
-  const drawing = sheets[sheet]!;
-  const [width, height] = [decimal(drawing.width), decimal(drawing.height)];
-  const size = attributes({
-    width: `${width}mm`,
-    height: `${height}mm`,
-    viewBox: `0 0 ${width} ${height}`,
-  });
-  const writer = new SheetWriter(drawing, look, fonts);
+export function drawSvg(
+  { sheets, look, fonts }: Pick<Print, 'sheets' | 'look' | 'fonts'>,
+  sheet: number,
+  size: { width: string; height: string; viewBox: string },
+  texts: TextForm,
+): string {
+  const writer = new SheetWriter(sheets[sheet]!, look, fonts, texts);
   return [
     '<?xml version="1.0" encoding="UTF-8"?>',
-    `<svg ${namespaces} ${size}>`,
+    `<svg ${namespaces} ${attributes(size)}>`,
     ...layers.flatMap((layer) => group(layer, writer.layer(layer))),
     '</svg>',
     '',
   ].join('\n');
+}
+
+/**
+ * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
+ * in mm, no style sheet, and no transforms but the turn of a text about its own place. Groups come
+ * in a fixed order, without those that are empty, and are layers in Inkscape. Texts are text, but
+ * for letters that not every reader has: those are outlines. For machines all texts are lines.
+ */
+export function writeSvg(print: Print, sheet: number): string {
+  const [width, height] = [print.sheets[sheet]!.width, print.sheets[sheet]!.height].map(decimal);
+  const size = { width: `${width}mm`, height: `${height}mm`, viewBox: `0 0 ${width} ${height}` };
+  return drawSvg(print, sheet, size, print.machine === 'none' ? 'text' : 'drawn');
 }

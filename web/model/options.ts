@@ -1,7 +1,7 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from './default-options.js';
 import type { JobOptions } from './job.js';
-import { defaultPrint, measurable, type PrintOptions } from './print-options.js';
+import { defaultPrint, dpiRange, measurable, type PrintOptions } from './print-options.js';
 import {
   choice,
   colour,
@@ -221,6 +221,18 @@ export const rows = {
     wordOr('off', pair(decimal(measurable.least, measurable.most))),
     'what the printed rulers of 50 mm measure, across and up: corrects the printer’s scale',
   ),
+  machine: row(
+    'NAME',
+    defaultPrint.machine,
+    choice(['none', 'silhouette', 'cricut', 'generic']),
+    'for a cutting machine: lines to cut, score and draw in pure colours, nothing else; none: for scissors',
+  ),
+  dpi: row(
+    'N',
+    defaultPrint.dpi,
+    whole(dpiRange.least, dpiRange.most),
+    'pixels to the inch of PNG files',
+  ),
 } satisfies Record<string, Row<unknown>>;
 
 export type Settings = {
@@ -239,8 +251,6 @@ export const laterRows: Record<string, LaterRow> = {
   texture: {},
   colour: { value: 'NAME', same: 'none' },
   duplex: {},
-  dpi: { value: 'N' },
-  machine: { value: 'NAME', same: 'none' },
   assembly: {},
 };
 
@@ -300,6 +310,8 @@ export function printOptions(settings: Settings): PrintOptions {
     foldAngles: settings['fold-angles'] === 'on',
     legend: settings.legend === 'on',
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
+    machine: settings.machine,
+    dpi: settings.dpi,
   };
 }
 

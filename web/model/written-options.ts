@@ -55,6 +55,8 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'fold-angles',
   'legend',
   'measured',
+  'machine',
+  'dpi',
 ] satisfies OptionName[]);
 
 const nameOf = (key: string): string =>
@@ -73,7 +75,7 @@ function parsed(name: string, value: unknown): unknown {
 
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
-  const { lines, flatFold, foldAngles, legend } = print;
+  const { lines, flatFold, foldAngles, legend, machine, dpi } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -93,6 +95,8 @@ export function lookOptions(print: PrintOptions): Options {
     flatFold,
     foldAngles: foldAngles ? 'on' : 'off',
     legend: legend ? 'on' : 'off',
+    machine,
+    dpi,
   };
 }
 
