@@ -70,7 +70,12 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--split'], "option '--split <part[:k]>' argument missing"],
     [['--merge', '3'], "option '--merge': '3' is not A,B"],
     [['--merge', '3;4'], "option '--merge': '3;4' is not a whole number from 1"],
-    [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],
+    [
+      ['-o', 'out.png', '--paper', 'A2', '--dpi', '1200'],
+      "'out.png': 1200 dots per inch are too many",
+    ],
+    [['--dpi', '71'], "option '--dpi': '71' is not a whole number from 72 to 1200"],
+    [['--machine', 'plotter'], "option '--machine': 'plotter' is not none or silhouette"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],
     [['second.obj'], 'too many arguments'],

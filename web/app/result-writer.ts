@@ -19,7 +19,7 @@ export class ResultWriter {
     return this.host.order(this.source, { type: 'sheet', sheet, options: this.options });
   }
 
-  /** All sheets in a format: pdf, svg, fold or glb. */
+  /** The result in a format. */
   file(format: ExportFormat): Promise<ExportedFile> {
     return this.host.order(this.source, { type: 'file', format, options: this.options });
   }

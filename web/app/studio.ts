@@ -1,5 +1,6 @@
 import { makeDoor } from '../api/door.js';
 import { loadFont } from '../browser/font-loader.js';
+import { loadRenderer } from '../browser/renderer-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
@@ -140,7 +141,7 @@ export class Studio extends Panel {
   }
 
   private makeStore(): Store {
-    const { open } = makeDoor({ startPool: this.engine, loadFont });
+    const { open } = makeDoor({ startPool: this.engine, loadFont, loadRenderer });
     return new Store({
       open: (files) => open(files, { pool: this.engine }),
       draw: (run) => this.draw(run),

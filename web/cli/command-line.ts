@@ -1,5 +1,6 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
+import { exportFormats } from '../export/formats.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { merge, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
@@ -67,13 +68,15 @@ function addRows(program: Command): void {
   }
 }
 
+const endings = exportFormats.map((format) => `.${format}`).join(', ');
+
 function describe(): Command {
   const program = new Command('foldwright')
     .description('Unfolds a 3D model into paper nets.')
     .argument('<model>', 'OBJ, STL, OFF or PLY file, or a folder with one and what belongs to it')
     .option(
       '-o, --output <file>',
-      'write a .fold, .svg, .pdf or .glb file; may be given several times',
+      `write a file, as its ending says: ${endings}; may be given several times`,
       collect,
     )
     .option('--report <file>', 'write a report as JSON')

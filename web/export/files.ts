@@ -29,7 +29,7 @@ async function eachSheet(
 
 type Writer = (source: ExportSource) => Promise<WrittenFile[]>;
 
-// Each loads when it is first asked for: the PDF writer is larger than all else.
+// Each loads when it is first asked for: those of PDF and PNG are larger than all else.
 const writers: Readonly<Record<ExportFormat, Writer>> = {
   async fold({ result, name }) {
     const { writeFold } = await import('./fold.js');
@@ -42,6 +42,10 @@ const writers: Readonly<Record<ExportFormat, Writer>> = {
   async dxf(source) {
     const { writeDxf } = await import('./dxf.js');
     return eachSheet(source, async (sheet) => utf8.encode(await writeDxf(source.print, sheet)));
+  },
+  async png(source) {
+    const { writePng } = await import('./png.js');
+    return eachSheet(source, (sheet) => writePng(source.print, sheet));
   },
   async pdf(source) {
     const { writePdf } = await import('./pdf.js');

@@ -37,8 +37,7 @@ import { PdfFonts } from './pdf-fonts.js';
 import { PdfLayers } from './pdf-layers.js';
 import type { Point } from './point.js';
 import { fontsOf, type Print } from './print.js';
-import type { RegistrationMarks } from './registration.js';
-import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
+import type { PieceDrawing, RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
 import { directionOf, type TextLine } from './text-line.js';
 
 /** A length in points; a ten-thousandth of a point is far below what any printer resolves. */

@@ -3,6 +3,7 @@ import { isCalibrated, type Machine, type PrintOptions } from '../model/print-op
 import { calibrated, corrections, overrun } from './calibration.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
+import type { RendererLoader } from './renderer-loader.js';
 import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
@@ -19,6 +20,7 @@ export interface PrintInput {
   margin: number;
   options: PrintOptions;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
 }
 
 /** All sheets of a job, ready to be written in any format. */
@@ -32,6 +34,7 @@ export interface Print {
   /** Null while all texts are in letters that every reader of files has, and are printed as text. */
   fonts: FontSet | null;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
   /** What a person should know of the sheets beside what the job told. */
   notices: Notice[];
 }
@@ -113,7 +116,7 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
  * whatever no font has is drawn as a box and told in the notices, and so is it when fonts do not come.
  */
 export async function preparePrint(input: PrintInput): Promise<Print> {
-  const { options, loadFont } = input;
+  const { options, loadFont, loadRenderer } = input;
   const { machine, dpi } = options;
   const { sheets: drawn, lacksLegend } = drawSheets(input);
   const factors = corrections(options);
@@ -124,8 +127,9 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
   const texts = textsOf(sheets);
   const isText = machine === 'none' && texts.every(isPlain);
   const fonts = isText ? null : await loadFonts(texts, loadFont, notices);
+  const loaders = { loadFont, loadRenderer };
   const title = cleaned(input.title);
-  return { title, look: lookOf(options), machine, dpi, sheets, fonts, loadFont, notices };
+  return { title, look: lookOf(options), machine, dpi, sheets, fonts, notices, ...loaders };
 }
 
 /** All fonts that the texts need, for formats that have none of their own. */

@@ -6,16 +6,7 @@
 import { meets, type Box } from './box.js';
 import type { Point } from './point.js';
 import { isInside, sidesOf } from './polygon.js';
-import type { SheetDrawing } from './sheet-drawing.js';
-
-export interface RegistrationMarks {
-  /** Filled. */
-  square: Point[];
-  /** Lines with a corner in their middle. */
-  corners: Point[][];
-  /** Of the lines; mm. */
-  width: number;
-}
+import type { RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
 
 /** Lengths in mm. */
 export const registration = {

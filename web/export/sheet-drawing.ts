@@ -4,7 +4,6 @@ import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
 import type { Point, Segment } from './point.js';
 import { sidesOf } from './polygon.js';
-import type { RegistrationMarks } from './registration.js';
 import { centredLine, type TextLine } from './text-line.js';
 
 /**
@@ -26,6 +25,16 @@ export interface PieceDrawing {
   flaps: Point[][];
   /** Its name, the ids of its cut edges, and the angles of its folds. */
   texts: TextLine[];
+}
+
+/** Marks by which a machine finds a printed sheet, in black. */
+export interface RegistrationMarks {
+  /** Filled. */
+  square: Point[];
+  /** Lines with a corner in their middle. */
+  corners: Point[][];
+  /** Of the lines; mm. */
+  width: number;
 }
 
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
