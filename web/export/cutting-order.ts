@@ -4,10 +4,30 @@ import type { PieceDrawing } from './sheet-drawing.js';
 
 const squaredDistance = ([x, y]: Point, [u, v]: Point): number => (x - u) ** 2 + (y - v) ** 2;
 
+/** A piece whose walks are in order, and its last one: the outline. */
+interface Candidate {
+  piece: PieceDrawing;
+  outline: Point[];
+  /** Within the outline. */
+  area: number;
+  start: Point;
+}
+
 /** Inner walks lie within larger ones, and what is cut out does not hold still any more. */
-function innerFirst(piece: PieceDrawing): PieceDrawing {
+function innerFirst(piece: PieceDrawing): Candidate[] {
   const sized = piece.cuts.map((walk) => ({ walk, area: Math.abs(areaOf(walk)) }));
-  return { ...piece, cuts: sized.sort((a, b) => a.area - b.area).map(({ walk }) => walk) };
+  sized.sort((a, b) => a.area - b.area);
+  const [first, last] = [sized[0], sized.at(-1)];
+  if (!first || !last) return [];
+  const cuts = sized.map(({ walk }) => walk);
+  return [
+    { piece: { ...piece, cuts }, outline: last.walk, area: last.area, start: first.walk[0]! },
+  ];
+}
+
+/** Whether a piece lies in a window of another, which is larger: so nothing waits for itself. */
+function isWithin(inner: Candidate, outer: Candidate): boolean {
+  return inner.area < outer.area && isInside(inner.start, outer.outline);
 }
 
 /**
@@ -18,19 +38,20 @@ function innerFirst(piece: PieceDrawing): PieceDrawing {
  * @param start where the blade is at first
  */
 export function inCuttingOrder(pieces: readonly PieceDrawing[], start: Point): PieceDrawing[] {
-  const left = pieces.filter(({ cuts }) => cuts.length > 0).map(innerFirst);
+  const all = pieces.flatMap(innerFirst);
+  const within = new Map(
+    all.map((outer) => [outer, all.filter((inner) => isWithin(inner, outer))]),
+  );
+  const left = new Set(all);
   const ordered: PieceDrawing[] = [];
   let at = start;
-  while (left.length > 0) {
-    const free = left.filter((piece) => {
-      const outline = piece.cuts.at(-1)!;
-      return !left.some((other) => other !== piece && isInside(other.cuts[0]![0]!, outline));
-    });
-    const distance = ({ cuts }: PieceDrawing): number => squaredDistance(at, cuts[0]![0]!);
-    const next = free.reduce((best, piece) => (distance(piece) < distance(best) ? piece : best));
-    left.splice(left.indexOf(next), 1);
-    ordered.push(next);
-    at = next.cuts.at(-1)![0]!;
+  while (left.size > 0) {
+    const free = [...left].filter((outer) => !within.get(outer)!.some((inner) => left.has(inner)));
+    const distance = (candidate: Candidate): number => squaredDistance(at, candidate.start);
+    const next = free.reduce((best, other) => (distance(other) < distance(best) ? other : best));
+    left.delete(next);
+    ordered.push(next.piece);
+    at = next.outline[0]!;
   }
   return ordered;
 }
