@@ -73,6 +73,7 @@ export class PrintPanel extends Panel {
   private readonly machine = this.find('#print-machine', HTMLSelectElement);
   private readonly machineHint = this.find('#machine-hint', HTMLElement);
   private readonly dpi = this.find('#print-dpi', HTMLInputElement);
+  private readonly printer = this.find('#measured', HTMLFieldSetElement);
   private readonly across = this.find('#measured-across', HTMLInputElement);
   private readonly up = this.find('#measured-up', HTMLInputElement);
   private readonly state = this.find('#measured-state', HTMLElement);
@@ -219,7 +220,7 @@ export class PrintPanel extends Panel {
       sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
     }
     this.machineHint.textContent = machineWords[options.machine];
-    for (const field of [this.style, this.shaded, this.legend]) {
+    for (const field of [this.style, this.shaded, this.legend, this.printer]) {
       field.disabled = options.machine !== 'none';
     }
     const isOn = isCalibrated(options);
