@@ -75,7 +75,6 @@ describe.skipIf(!isBuilt)('the command line', () => {
       "'out.png': 1200 dots per inch are too many",
     ],
     [['--dpi', '71'], "option '--dpi': '71' is not a whole number from 72 to 1200"],
-    [['--machine', 'plotter'], "option '--machine': 'plotter' is not none or silhouette"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],
     [['second.obj'], 'too many arguments'],

@@ -257,5 +257,6 @@ export const english: Table = {
     `a margin of ${figure(margin_mm)} mm keeps them free; ${pieces(names)}`,
   'cricut-area': ({ sheets, width_mm, height_mm, margin_mm }) =>
     `Cricut prints and then cuts ${Math.floor(width_mm)} x ${Math.floor(height_mm)} mm of this paper at most, and ` +
-    `sheet ${sheets.join(', ')} needs more: cut without printing, or choose a margin of ${figure(margin_mm)} mm`,
+    `${choose(sheets.length, 'sheet', 'sheets')} ${all(sheets.map((sheet) => figure(sheet)))} ` +
+    `${choose(sheets.length, 'needs', 'need')} more: cut without printing, or choose a margin of ${figure(margin_mm)} mm`,
 };
