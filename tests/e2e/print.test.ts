@@ -125,6 +125,11 @@ test('pictures have the dots per inch that were asked for', () =>
     } else {
       expect(name).toBe('house-png.zip');
     }
+    await studio.page.selectOption('#paper', 'A2');
+    await unfold(studio, 'large');
+    await studio.page.getByLabel('Dots per inch of pictures').fill('1200');
+    await studio.page.getByRole('button', { name: 'Pictures (PNG)' }).click();
+    expect(await studio.message()).toContain('1200 dots per inch are too many for sheets of');
     expect(studio.complaints).toEqual([]);
   }));
 

@@ -92,8 +92,11 @@ export class Studio extends Panel {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    const downloads = new DownloadBar(place, (format) =>
-      this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
+    const downloads = new DownloadBar(place, (format, reason) =>
+      this.message.show(
+        `The ${format} file could not be written`,
+        reason === null ? 'The result is still here.' : sentence(reason),
+      ),
     );
     this.result = new ResultPanel(place, downloads, sheets, steps, (look) => this.restyle(look));
     const move = { undo: () => void this.undo(), redo: () => void this.redo() };

@@ -37,6 +37,39 @@ const [modelSpace, paperSpace] = ['*Model_Space', '*Paper_Space'];
 /** What every entity class calls itself. */
 const subclasses = { LINE: 'AcDbLine', LWPOLYLINE: 'AcDbPolyline' } as const;
 
+/** An entry of a table. */
+interface TableEntry {
+  /** Its class. */
+  own: string;
+  /** What follows its handle. */
+  pairs: Pair[];
+  handle?: string;
+}
+
+/** The name of an entry, that nothing is special about it, and what else it says. */
+function named(name: string, pairs: readonly Pair[] = []): Pair[] {
+  return [[2, name], [70, 0], ...pairs];
+}
+
+/** A line type without a description and without dashes. */
+const solidLine: readonly Pair[] = [
+  [3, ''],
+  [72, 65],
+  [73, 0],
+  [40, 0],
+];
+
+/** A style of no texts: of any height, upright, in the font that is always there. */
+const plainText: readonly Pair[] = [
+  [40, 0],
+  [41, 1],
+  [50, 0],
+  [71, 0],
+  [42, 2.5],
+  [3, 'txt'],
+  [4, ''],
+];
+
 /** Gives handles, in order, and writes what refers to them. */
 class DxfWriter {
   private lastHandle = 0;
@@ -78,8 +111,7 @@ class DxfWriter {
     ]);
   }
 
-  /** @param records each with its type's class and what follows its handle */
-  private table(name: string, records: { own: string; pairs: Pair[]; handle?: string }[]): Pair[] {
+  private table(name: string, records: readonly TableEntry[]): Pair[] {
     const table = this.handle();
     const handleCode = name === 'DIMSTYLE' ? 105 : 5;
     return [
@@ -102,73 +134,56 @@ class DxfWriter {
     ];
   }
 
-  private tables({ width, height, layers }: DxfDrawing): Pair[] {
-    const named = (name: string, ...pairs: Pair[]): Pair[] => [[2, name], [70, 0], ...pairs];
-    const line = (name: string): Pair[] => named(name, [3, ''], [72, 65], [73, 0], [40, 0]);
+  /** The whole sheet in the window. */
+  private viewport({ width, height }: DxfDrawing): Pair[] {
+    return named('*Active', [
+      [10, 0],
+      [20, 0],
+      [11, 1],
+      [21, 1],
+      [12, width / 2],
+      [22, height / 2],
+      [40, height],
+      [41, width / height],
+    ]);
+  }
+
+  private blockRecords(): TableEntry[] {
+    const blocks = [
+      [modelSpace, this.modelRecord],
+      [paperSpace, this.paperRecord],
+    ] as const;
+    return blocks.map(([name, handle]) => ({
+      own: 'AcDbBlockTableRecord',
+      pairs: [[2, name]],
+      handle,
+    }));
+  }
+
+  private tables(drawing: DxfDrawing): Pair[] {
+    const viewport = { own: 'AcDbViewportTableRecord', pairs: this.viewport(drawing) };
+    const lineTypes = ['ByBlock', 'ByLayer', 'Continuous'].map((name) => ({
+      own: 'AcDbLinetypeTableRecord',
+      pairs: named(name, solidLine),
+    }));
+    const layers = [{ name: '0', colour: 7 }, ...drawing.layers].map(({ name, colour }) => ({
+      own: 'AcDbLayerTableRecord',
+      pairs: named(name, [
+        [62, colour],
+        [6, 'Continuous'],
+      ]),
+    }));
+    const textStyle = { own: 'AcDbTextStyleTableRecord', pairs: named('Standard', plainText) };
     return this.section('TABLES', [
-      ...this.table('VPORT', [
-        {
-          own: 'AcDbViewportTableRecord',
-          pairs: named(
-            '*Active',
-            ...([
-              // The whole sheet in the window.
-              [10, 0],
-              [20, 0],
-              [11, 1],
-              [21, 1],
-              [12, width / 2],
-              [22, height / 2],
-              [40, height],
-              [41, width / height],
-            ] as Pair[]),
-          ),
-        },
-      ]),
-      ...this.table(
-        'LTYPE',
-        ['ByBlock', 'ByLayer', 'Continuous'].map((name) => ({
-          own: 'AcDbLinetypeTableRecord',
-          pairs: line(name),
-        })),
-      ),
-      ...this.table(
-        'LAYER',
-        [{ name: '0', colour: 7 }, ...layers].map(({ name, colour }) => ({
-          own: 'AcDbLayerTableRecord',
-          pairs: named(name, [62, colour], [6, 'Continuous']),
-        })),
-      ),
-      ...this.table('STYLE', [
-        {
-          own: 'AcDbTextStyleTableRecord',
-          pairs: named(
-            'Standard',
-            [40, 0],
-            [41, 1],
-            [50, 0],
-            [71, 0],
-            [42, 2.5],
-            [3, 'txt'],
-            [4, ''],
-          ),
-        },
-      ]),
+      ...this.table('VPORT', [viewport]),
+      ...this.table('LTYPE', lineTypes),
+      ...this.table('LAYER', layers),
+      ...this.table('STYLE', [textStyle]),
       ...this.table('VIEW', []),
       ...this.table('UCS', []),
       ...this.table('APPID', [{ own: 'AcDbRegAppTableRecord', pairs: named('ACAD') }]),
       ...this.table('DIMSTYLE', [{ own: 'AcDbDimStyleTableRecord', pairs: named('Standard') }]),
-      ...this.table(
-        'BLOCK_RECORD',
-        [
-          { name: modelSpace, handle: this.modelRecord },
-          { name: paperSpace, handle: this.paperRecord },
-        ].map(({ name, handle }) => ({
-          own: 'AcDbBlockTableRecord',
-          pairs: [[2, name]] as Pair[],
-          handle,
-        })),
-      ),
+      ...this.table('BLOCK_RECORD', this.blockRecords()),
     ]);
   }
 
