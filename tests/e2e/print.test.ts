@@ -114,6 +114,51 @@ test('a cover and steps come with a download when they are ticked, and undo take
     expect(studio.complaints).toEqual([]);
   }));
 
+test('sheets for a machine show what it does, and come without another search', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const hash = await unfold(studio, 'house');
+    await page.getByLabel('Who cuts').selectOption('silhouette');
+    await page.locator('.sheet [data-layer="registration"]').first().waitFor();
+    await page.locator('.sheet [data-layer="cut"] [stroke="#ff0000"]').first().waitFor();
+    expect(await page.locator('.sheet [data-layer="guide"]').count()).toBe(0);
+    expect(await page.locator('.sheet text').count()).toBe(0);
+    expect(await page.locator('#machine-hint').innerText()).toContain('Red lines are cut');
+    expect(await page.locator('#print-style').isDisabled()).toBe(true);
+    await page.getByText('Colours, widths and dashes').click();
+    await studio.picture('print-3-machine');
+    const dxf = await studio.download('Machine (DXF)');
+    if (dxf.name.endsWith('.dxf')) expect(dxf.bytes.toString('latin1')).toContain('REGISTRATION');
+
+    await page.getByLabel('Who cuts').selectOption('cricut');
+    await page.locator('.sheet [data-layer="registration"]').first().waitFor({ state: 'detached' });
+    await page.getByLabel('Who cuts').selectOption('none');
+    await page.locator('.sheet [data-layer="cut"] [stroke="#000000"]').first().waitFor();
+    await page.locator('.sheet text', { hasText: 'print at 100 %' }).first().waitFor();
+    expect(await page.locator('#print-style').isEnabled()).toBe(true);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('pictures have the dots per inch that were asked for', () =>
+  withStudio(async (studio) => {
+    await unfold(studio, 'house');
+    await studio.page.getByLabel('Dots per inch of pictures').fill('100');
+    const { name, bytes } = await studio.download('Pictures (PNG)');
+    if (name.endsWith('.png')) {
+      const sides = [bytes.readUInt32BE(16), bytes.readUInt32BE(20)].sort((a, b) => a - b);
+      expect(sides).toEqual([Math.ceil((210 / 25.4) * 100), Math.ceil((297 / 25.4) * 100)]);
+    } else {
+      expect(name).toBe('house-png.zip');
+    }
+    await studio.page.selectOption('#paper', 'A2');
+    await unfold(studio, 'large');
+    await studio.page.getByLabel('Dots per inch of pictures').fill('1200');
+    await studio.page.getByRole('button', { name: 'Pictures (PNG)' }).click();
+    expect(await studio.message()).toContain('1200 dots per inch are too many for sheets of');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('a measured printer is corrected, said so, and remembered', () =>
   withStudio(async (studio) => {
     const { page } = studio;

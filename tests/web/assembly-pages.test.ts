@@ -4,10 +4,11 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { buildingPlan } from '../../web/export/building-plan.js';
 import { writePdf } from '../../web/export/pdf.js';
-import type { Print } from '../../web/export/print.js';
+import { writeFiles } from '../../web/export/files.js';
+import type { ExportFormat } from '../../web/export/formats.js';
+import { pagesOf, type Print } from '../../web/export/print.js';
 import type { SheetDrawing } from '../../web/export/sheet-drawing.js';
-import { writePageSvg } from '../../web/export/svg.js';
-import { svgFiles } from '../../web/export/svg-files.js';
+import { writeSvg } from '../../web/export/svg.js';
 import { capHeight, widthAtMost } from '../../web/export/text-line.js';
 import { cutPairs } from '../../web/model/borders.js';
 import type { JobResult } from '../../web/model/job.js';
@@ -21,6 +22,16 @@ import { isEngineBuilt } from './thread-pool.js';
 
 const withPages = (result: JobResult, title = 'cube'): Promise<Print> =>
   printOf(result, { title, options: { assembly: true } });
+
+/** Names of the files in a format. */
+async function namesOf(format: ExportFormat, print: Print): Promise<string[]> {
+  const files = await writeFiles(format, {
+    result: boxAndLidResult(),
+    print,
+    name: `box.${format}`,
+  });
+  return files.map(({ name }) => name);
+}
 
 const textsOf = ({ frame }: SheetDrawing): string[] => frame.texts.map(({ text }) => text);
 
@@ -145,7 +156,7 @@ describe('pages that tell how to build a model', () => {
   it('are the same bytes every time', async () => {
     const write = async () => writePdf(await withPages(boxAndLidResult()));
     expect(await write()).toEqual(await write());
-    const svg = async () => svgFiles(await withPages(boxAndLidResult()), 'a.svg');
+    const svg = async () => writeSvg(pagesOf(await withPages(boxAndLidResult())), 1);
     expect(await svg()).toEqual(await svg());
   });
 
@@ -155,14 +166,24 @@ describe('pages that tell how to build a model', () => {
     expect(pages).toHaveLength(5);
     expect(pages[0]!.texts.map(({ text }) => text)).toContain('How to build it');
     expect(pages[3]!.texts.map(({ text }) => text)).toContain('sheet 1 of 2 · print at 100 %');
-    expect(svgFiles(print, 'box.svg').map(({ name }) => name)).toEqual([
+    expect(await namesOf('svg', print)).toEqual([
       'box-1.svg',
       'box-2.svg',
       'box-building-1.svg',
       'box-building-2.svg',
       'box-building-3.svg',
     ]);
-    expect(writePageSvg(print, 0)).toContain('How to build it');
+    expect(writeSvg(pagesOf(print), 0)).toContain('How to build it');
+  });
+
+  it('are files of their own beside sheets for a machine, and look as for people', async () => {
+    const options = { assembly: true, machine: 'generic' } as const;
+    const print = await printOf(boxAndLidResult(), { options });
+    expect(await namesOf('pdf', print)).toEqual(['box-1.pdf', 'box-2.pdf', 'box-building.pdf']);
+    expect(await namesOf('dxf', print)).toEqual(['box-1.dxf', 'box-2.dxf']);
+    const people = pagesOf(await withPages(boxAndLidResult()));
+    expect(pagesOf(print).sheets).toEqual(people.sheets);
+    expect(writeSvg(pagesOf(print), 0)).toBe(writeSvg(people, 0));
   });
 
   it('have the letters of any name', async () => {
@@ -174,7 +195,7 @@ describe('pages that tell how to build a model', () => {
     const words = pages[0]!.texts.map(({ text }) => text).join('');
     expect(words).toContain('くじら');
     expect(words).toContain('<b>"& 折り紙');
-    expect(writePageSvg(print, 0)).not.toContain('<b>');
+    expect(writeSvg(pagesOf(print), 0)).not.toContain('<b>');
   });
 
   it('are well formed', async () => {

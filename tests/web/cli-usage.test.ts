@@ -78,8 +78,11 @@ describe.skipIf(!isBuilt)('the command line', () => {
     ],
     [['--name', '1=a', '--name', '1=b'], "option '--name': part 1 has a name already"],
     [['--assembly', 'yes'], "option '--assembly': 'yes' is not on or off"],
-    [['-o', 'out.dxf'], "'out.dxf': the format .dxf does not exist in this version yet"],
-    [['-o', 'out.png'], "'out.png': the format .png does not exist in this version yet"],
+    [
+      ['-o', 'out.png', '--paper', 'A2', '--dpi', '1200'],
+      "'out.png': 1200 dots per inch are too many",
+    ],
+    [['--dpi', '71'], "option '--dpi': '71' is not a whole number from 72 to 1200"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],
     [['second.obj'], 'too many arguments'],

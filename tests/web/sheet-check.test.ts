@@ -61,7 +61,7 @@ describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
     expect(faults(swapped)).toMatch(/is no fold/);
     const nameless = changedBy((text) => text.replace(/<text.*<\/text>\n/g, ''));
     expect(faults(nameless)).toMatch(/id \d+ is on one side only/);
-    const shifted = changedBy((text) => text.replace(/(?<=<g id="cut">\n.*d="M)[\d.]+/, '3'));
+    const shifted = changedBy((text) => text.replace(/(?<=<g id="cut"[^>]*>\n.*d="M)[\d.]+/, '3'));
     expect(faults(shifted)).toMatch(/in the margin/);
 
     const mirroredPage = ({ width, pieces, ...page }: SheetFile): SheetFile => {

@@ -1,8 +1,10 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
+import { exportFormats, type ExportFormat } from '../export/formats.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { merge, partName, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
+import { formatOf } from './formats.js';
 import { idleOptions } from './idle-options.js';
 import { laterRows, rows, sizings, type Row, type Settings } from '../model/options.js';
 import { BadValue, type Parser } from '../model/option-values.js';
@@ -68,13 +70,15 @@ function addRows(program: Command): void {
   }
 }
 
+const endings = exportFormats.map((format) => `.${format}`).join(', ');
+
 function describe(): Command {
   const program = new Command('foldwright')
     .description('Unfolds a 3D model into paper nets.')
     .argument('<model>', 'OBJ, STL, OFF or PLY file, or a folder with one and what belongs to it')
     .option(
       '-o, --output <file>',
-      'write a .fold, .svg, .pdf or .glb file; may be given several times',
+      `write a file, as its ending says: ${endings}; may be given several times`,
       collect,
     )
     .option('--report <file>', 'write a report as JSON')
@@ -139,6 +143,10 @@ function namesOf(texts: readonly string[]): DocumentEdit[] {
   return names;
 }
 
+function formatsOf(outputs: readonly string[]): ExportFormat[] {
+  return outputs.flatMap((path) => formatOf(path) ?? []);
+}
+
 /** Splits and merges go by the parts of one result, and so are one step. */
 function stepsOf({ split: splits, merge: merges, edits, name }: EditWords): Commands['edits'] {
   const together = [
@@ -174,7 +182,7 @@ export function parseCommandLine(args: string[]): Commands {
     report: report ?? null,
     quiet,
     settings,
-    idle: idleOptions(givenRows(program), settings),
+    idle: idleOptions(givenRows(program), settings, formatsOf(output)),
     edits: stepsOf(editWords),
     editWords,
   };

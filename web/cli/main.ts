@@ -23,8 +23,8 @@ import { summarize } from './summary.js';
 import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
 
 /** Everything about the outputs that can be wrong before the work has begun. */
-function checkOutputs({ model, outputs, report }: Commands): void {
-  outputs.forEach(checkFormat);
+function checkOutputs({ model, outputs, report, settings }: Commands): void {
+  for (const path of outputs) checkFormat(path, settings);
   const paths = report === null ? outputs : [...outputs, report];
   const taken = new Set([resolve(model)]);
   for (const path of paths) {

@@ -49,14 +49,31 @@ const looks: Readonly<Record<PrintStyle, Look>> = {
   },
 };
 
-/** The look of a style with what was asked for besides. */
-export function lookOf({ style, lines, flaps }: PrintOptions): Look {
-  const base = looks[style];
+// Thin, but still seen on a print. Programs cut along the middle, however wide a line is.
+const machineLine = (colour: string): LineStyle => ({ width: 0.1, colour, dash: [] });
+
+/**
+ * For machines: one pure colour for each thing that is done, because their programs tell by the colour
+ * of a line what to do with it. Red is cut, blue and green are scored, magenta is for a pen.
+ */
+const machineLook: Look = {
+  lines: {
+    cut: machineLine('#ff0000'),
+    mountain: machineLine('#0000ff'),
+    valley: machineLine('#00ff00'),
+  },
+  flaps: 'none',
+  text: '#ff00ff',
+};
+
+/** The look of a style, or of lines for a machine, with what was asked for besides. */
+export function lookOf({ machine, style, lines, flaps }: PrintOptions): Look {
+  const base = machine === 'none' ? looks[style] : machineLook;
   const line = (kind: LineKind): LineStyle => ({ ...base.lines[kind], ...lines[kind] });
   return {
     ...base,
     lines: { cut: line('cut'), mountain: line('mountain'), valley: line('valley') },
-    flaps: flaps ?? base.flaps,
+    flaps: machine === 'none' ? (flaps ?? base.flaps) : 'none',
   };
 }
 
@@ -68,4 +85,9 @@ export function leaderStyle({ text }: Look): LineStyle {
 /** Of rulers, and of boxes that are no cuts. */
 export function guideStyle({ text }: Look): LineStyle {
   return { width: 0.18, colour: text, dash: [] };
+}
+
+/** Of texts that a machine draws with a pen. */
+export function penStyle({ text }: Look): LineStyle {
+  return machineLine(text);
 }

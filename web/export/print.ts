@@ -1,11 +1,13 @@
 import type { JobResult, Notice } from '../model/job.js';
-import { isCalibrated, type PrintOptions } from '../model/print-options.js';
+import { isCalibrated, type Machine, type PrintOptions } from '../model/print-options.js';
 import { calibrated, corrections, overrun } from './calibration.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
+import type { RendererLoader } from './renderer-loader.js';
 import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
+import { forMachine, machineNotices } from './machine.js';
 import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
 
@@ -18,18 +20,25 @@ export interface PrintInput {
   margin: number;
   options: PrintOptions;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
 }
 
 /** All sheets of a job, ready to be written in any format. */
 export interface Print {
   title: string;
   look: Look;
+  machine: Machine;
+  /** Pixels to the inch of pictures. */
+  dpi: number;
   sheets: SheetDrawing[];
   /** Those that tell how to build the model, if they were asked for: the cover first. */
   pages: SheetDrawing[];
-  /** Null while all texts are in letters that every reader of files has. */
+  /** Of those: they are for people, whoever cuts the sheets. */
+  pageLook: Look;
+  /** Null while all texts are in letters that every reader of files has, and are printed as text. */
   fonts: FontSet | null;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
   /** What a person should know of the sheets beside what the job told. */
   notices: Notice[];
 }
@@ -60,13 +69,12 @@ function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notic
   return notices;
 }
 
-/** The fonts for letters that not every reader has; null where there are none, or none came. */
+/** The fonts of texts that become outlines; null if they did not come. */
 async function loadFonts(
   texts: string[],
   loadFont: FontLoader,
   notices: Notice[],
 ): Promise<FontSet | null> {
-  if (texts.every(isPlain)) return null;
   const { FontSet } = await import('./font-set.js');
   try {
     const fonts = await FontSet.load(texts, loadFont);
@@ -96,7 +104,7 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
       frame: frameSheet({ width, height, margin, title: cleaned(title), note }),
     };
   });
-  if (!options.legend) return { sheets, lacksLegend: false };
+  if (!options.legend || options.machine !== 'none') return { sheets, lacksLegend: false };
   const found = placeLegend(sheets, margin);
   if (!found) return { sheets, lacksLegend: true };
   const { strokes, texts } = sheets[found.sheet]!.frame;
@@ -107,6 +115,8 @@ function drawSheets({ result, title, margin, options }: PrintInput): {
   return { sheets, lacksLegend: false };
 }
 
+const pageLookOf = (options: PrintOptions): Look => lookOf({ ...options, machine: 'none' });
+
 /** The pages that tell how to build the model. No printer's scale is corrected: nothing is measured there. */
 async function drawPages({ margin, options, result, title }: PrintInput): Promise<SheetDrawing[]> {
   if (!options.assembly) return [];
@@ -116,22 +126,50 @@ async function drawPages({ margin, options, result, title }: PrintInput): Promis
     options,
     result,
     title: cleaned(title),
-    look: lookOf(options),
+    look: pageLookOf(options),
   });
 }
 
 /**
- * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
- * has is drawn as a box and told in the notices, and so is it when fonts do not come.
+ * Draws all sheets. Fonts are loaded only for letters that not every reader has, and for machines;
+ * whatever no font has is drawn as a box and told in the notices, and so is it when fonts do not come.
  */
 export async function preparePrint(input: PrintInput): Promise<Print> {
-  const { options, loadFont } = input;
+  const { options, loadFont, loadRenderer } = input;
+  const { machine, dpi } = options;
   const { sheets: drawn, lacksLegend } = drawSheets(input);
   const factors = corrections(options);
-  const sheets = drawn.map((sheet) => calibrated(sheet, factors));
-  const notices = noticesOf(sheets, lacksLegend);
+  const sheets = drawn.map((sheet) =>
+    machine === 'none' ? calibrated(sheet, factors) : forMachine(sheet, machine),
+  );
+  const notices = [...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
   const pages = await drawPages(input);
-  const fonts = await loadFonts(textsOf([...pages, ...sheets]), loadFont, notices);
-  const title = cleaned(input.title);
-  return { title, look: lookOf(options), sheets, pages, fonts, loadFont, notices };
+  const texts = textsOf([...pages, ...sheets]);
+  const isText = machine === 'none' && texts.every(isPlain);
+  const fonts = isText ? null : await loadFonts(texts, loadFont, notices);
+  return {
+    title: cleaned(input.title),
+    look: lookOf(options),
+    machine,
+    dpi,
+    sheets,
+    pages,
+    pageLook: pageLookOf(options),
+    fonts,
+    loadFont,
+    loadRenderer,
+    notices,
+  };
+}
+
+/** The pages that tell how to build the model as sheets of their own. */
+export function pagesOf(print: Print): Print {
+  return { ...print, look: print.pageLook, machine: 'none', sheets: print.pages, pages: [] };
+}
+
+/** All fonts that the texts need, for formats that have none of their own. */
+export async function fontsOf({ fonts, pages, sheets, loadFont }: Print): Promise<FontSet> {
+  if (fonts) return fonts;
+  const { FontSet } = await import('./font-set.js');
+  return FontSet.load(textsOf([...pages, ...sheets]), loadFont);
 }

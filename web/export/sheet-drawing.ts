@@ -4,6 +4,7 @@ import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
 import type { PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
+import { sidesOf } from './polygon.js';
 import { centredLine, type TextLine } from './text-line.js';
 
 /**
@@ -27,6 +28,16 @@ export interface PieceDrawing {
   texts: TextLine[];
 }
 
+/** Marks by which a machine finds a printed sheet, in black. */
+export interface RegistrationMarks {
+  /** Filled. */
+  square: Point[];
+  /** Lines with a corner in their middle. */
+  corners: Point[][];
+  /** Of the lines; mm. */
+  width: number;
+}
+
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
 export interface SheetDrawing {
   width: number;
@@ -35,6 +46,8 @@ export interface SheetDrawing {
   frame: SheetFrame;
   /** Below all else, on pages that tell how to build the model. */
   picture?: PictureShape[];
+  /** By which a machine finds the sheet, if it cuts what was printed before. */
+  registration?: RegistrationMarks;
 }
 
 type At = (vertex: number) => Point;
@@ -92,10 +105,6 @@ function angledFolds(piece: Piece, flatFold: number, at: At): AngledFold[] {
     folds.push({ line: [at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)], angle });
   });
   return folds;
-}
-
-function sidesOf(walk: readonly Point[]): Segment[] {
-  return walk.map((from, i) => [from, walk[(i + 1) % walk.length]!]);
 }
 
 /** Points of pairs of coordinates, moved. */

@@ -1,7 +1,7 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from './default-options.js';
 import type { JobOptions } from './job.js';
-import { defaultPrint, measurable, type PrintOptions } from './print-options.js';
+import { defaultPrint, dpiRange, measurable, type PrintOptions } from './print-options.js';
 import {
   choice,
   colour,
@@ -219,13 +219,25 @@ export const rows = {
     'on|off',
     'off',
     choice(['on', 'off']),
-    'on: pages with a cover, a list of pieces and the steps to build the model (PDF, SVG)',
+    'on: pages with a cover, a list of pieces and the steps to build the model (PDF, SVG, PNG)',
   ),
   measured: row(
     'XMM,YMM|off',
     'off',
     wordOr('off', pair(decimal(measurable.least, measurable.most))),
     'what the printed rulers of 50 mm measure, across and up: corrects the printer’s scale',
+  ),
+  machine: row(
+    'NAME',
+    defaultPrint.machine,
+    choice(['none', 'silhouette', 'cricut', 'generic']),
+    'for a cutting machine: lines to cut, score and draw in pure colours, nothing else; none: for scissors',
+  ),
+  dpi: row(
+    'N',
+    defaultPrint.dpi,
+    whole(dpiRange.least, dpiRange.most),
+    'pixels to the inch of PNG files',
   ),
 } satisfies Record<string, Row<unknown>>;
 
@@ -245,8 +257,6 @@ export const laterRows: Record<string, LaterRow> = {
   texture: {},
   colour: { value: 'NAME', same: 'none' },
   duplex: {},
-  dpi: { value: 'N' },
-  machine: { value: 'NAME', same: 'none' },
 };
 
 /** The settings as a person would write them, by the names of the options. */
@@ -306,6 +316,8 @@ export function printOptions(settings: Settings): PrintOptions {
     legend: settings.legend === 'on',
     assembly: settings.assembly === 'on',
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
+    machine: settings.machine,
+    dpi: settings.dpi,
   };
 }
 

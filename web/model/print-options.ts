@@ -14,6 +14,9 @@ export interface LineStyle {
 /** A look as a whole: ours, or that of a program that people know. */
 export type PrintStyle = 'foldwright' | 'pepakura' | 'blender';
 
+/** Who cuts: a person with scissors, or a cutting machine with the program that comes with it. */
+export type Machine = 'none' | 'silhouette' | 'cricut' | 'generic';
+
 export interface PrintOptions {
   style: PrintStyle;
   /** What differs from the style. */
@@ -30,6 +33,9 @@ export interface PrintOptions {
   assembly: boolean;
   /** What the rulers of 50 mm measure on paper, across and up, when nothing is corrected. */
   measured: readonly [across: number, up: number];
+  machine: Machine;
+  /** Pixels to the inch of pictures. */
+  dpi: number;
 }
 
 /** Nominal length of the rulers; mm. */
@@ -37,6 +43,9 @@ export const rulerLength = 50;
 
 /** What a person can have measured; anything else is no printer's error. */
 export const measurable = { least: 45, most: 55 } as const;
+
+/** Below, lines are coarser than a pen's; above, no printer prints. */
+export const dpiRange = { least: 72, most: 1200 } as const;
 
 export const defaultPrint: Readonly<PrintOptions> = {
   style: 'foldwright',
@@ -46,9 +55,11 @@ export const defaultPrint: Readonly<PrintOptions> = {
   legend: true,
   assembly: false,
   measured: [rulerLength, rulerLength],
+  machine: 'none',
+  dpi: 300,
 };
 
-/** Whether sheets are corrected for a printer. */
-export function isCalibrated({ measured }: PrintOptions): boolean {
-  return measured.some((length) => length !== rulerLength);
+/** Whether sheets are corrected for a printer. Machines cut true to size, whatever printers do. */
+export function isCalibrated({ machine, measured }: PrintOptions): boolean {
+  return machine === 'none' && measured.some((length) => length !== rulerLength);
 }

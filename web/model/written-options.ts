@@ -60,6 +60,8 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'legend',
   'assembly',
   'measured',
+  'machine',
+  'dpi',
 ] satisfies OptionName[]);
 
 const nameOf = (key: string): string =>
@@ -84,7 +86,7 @@ function parsed(name: string, value: unknown): unknown {
 
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
-  const { assembly, lines, flatFold, foldAngles, legend } = print;
+  const { assembly, lines, flatFold, foldAngles, legend, machine, dpi } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -105,6 +107,8 @@ export function lookOptions(print: PrintOptions): Options {
     foldAngles: foldAngles ? 'on' : 'off',
     legend: legend ? 'on' : 'off',
     assembly: assembly ? 'on' : 'off',
+    machine,
+    dpi,
   };
 }
 
