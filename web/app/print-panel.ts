@@ -1,4 +1,4 @@
-import { lookOf } from '../export/line-style.js';
+import { flapShade, lookOf } from '../export/line-style.js';
 import {
   defaultPrint,
   dpiRange,
@@ -18,9 +18,6 @@ import type { StudioPlace } from './place.js';
 const styles: readonly PrintStyle[] = ['foldwright', 'pepakura', 'blender'];
 const machines: readonly Machine[] = ['none', 'silhouette', 'cricut', 'generic'];
 const kinds: readonly LineKind[] = ['cut', 'mountain', 'valley'];
-
-/** Grey as light as a printer can make it evenly. */
-const shade = '#e6e6e6';
 
 const colourWords = 'Red lines are cut, blue and green ones scored, pink ones drawn with a pen.';
 
@@ -152,7 +149,7 @@ export class PrintPanel extends Panel {
       style,
       lines,
       ...(this.shaded.checked !== (look.flaps !== 'none') && {
-        flaps: this.shaded.checked ? shade : 'none',
+        flaps: this.shaded.checked ? flapShade : 'none',
       }),
       flatFold: number(this.flatFold, defaultPrint.flatFold),
       foldAngles: this.angles.checked,

@@ -5,6 +5,7 @@ import type { BuildingStep } from './building-plan.js';
 import { partnerOf, sideOn } from './building-plan.js';
 import type { Border } from '../model/border-order.js';
 import { boxOf } from './convex.js';
+import { valleyColour } from './line-style.js';
 import { hexOf, pieceRgb } from './model-picture.js';
 import type { ModelViews } from './model-views.js';
 import { dotAround, type Frame, type PictureShape } from './picture-shape.js';
@@ -17,7 +18,7 @@ const dark = '#222222';
 const styles = {
   cut: { width: 0.15, colour: dark, dash: [] },
   mountain: { width: 0.07, colour: '#888888', dash: [] },
-  valley: { width: 0.45, colour: '#1f5fbf', dash: [] },
+  valley: { width: 0.45, colour: valleyColour, dash: [] },
   mark: { width: 0.35, colour: dark, dash: [] },
 } as const satisfies Record<string, LineStyle>;
 
