@@ -5,6 +5,7 @@ import { outlinesOf, walksOf } from './outlines.js';
 import type { Point, Segment } from './point.js';
 import { fontsOf, type Print } from './print.js';
 import type { SheetDrawing } from './sheet-drawing.js';
+import { underlineOf } from './text-line.js';
 
 /** In the colours that sheets for machines have. */
 const layers = [
@@ -52,15 +53,16 @@ function marks({ registration }: SheetDrawing): DxfEntity[] {
 /** All that a machine is to do, in the order in which it best does it: cutting comes last. */
 function entitiesOf(sheet: SheetDrawing, fonts: FontSet): DxfEntity[] {
   const pieces = inCuttingOrder(sheet.pieces, [0, sheet.height]);
-  const letters = pieces.flatMap(({ texts }) =>
-    texts.flatMap((text) => walksOf(outlinesOf(text, fonts))),
-  );
+  const texts = pieces.flatMap((piece) => piece.texts);
+  const letters = texts.flatMap((text) => walksOf(outlinesOf(text, fonts)));
+  const underlines = texts.filter(({ underlined }) => underlined).map((text) => underlineOf(text));
   return [
     ...marks(sheet),
     ...pieces.flatMap(({ mountains }) => mountains.map((fold) => line('MOUNTAIN', fold))),
     ...pieces.flatMap(({ valleys }) => valleys.map((fold) => line('VALLEY', fold))),
     ...pieces.flatMap(({ guides }) => guides.map((guide) => line('TEXT', guide))),
     ...letters.map((walk) => polyline('TEXT', walk, true)),
+    ...underlines.map((underline) => line('TEXT', underline.line)),
     ...pieces.flatMap(({ cuts }) => cuts.map((walk) => polyline('CUT', walk, true))),
   ];
 }

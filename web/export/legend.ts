@@ -65,6 +65,9 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
       ? [{ sample: flapSample(), text: 'flap for glue' }]
       : []),
     ...(hasIds ? [words('12: joins the other 12')] : []),
+    ...(some((piece) => piece.texts.some(({ underlined }) => underlined))
+      ? [words('number with a line: the line is below')]
+      : []),
     ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
     ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
     ...(some(({ letter }) => letter.startsWith('strip-'))

@@ -40,7 +40,7 @@ import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
 import { fontsOf, type Print } from './print.js';
 import type { PieceDrawing, RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
-import { directionOf, type TextLine } from './text-line.js';
+import { directionOf, underlineOf, type TextLine } from './text-line.js';
 
 /** A length in points; a ten-thousandth of a point is far below what any printer resolves. */
 function points(millimetres: number): number {
@@ -108,8 +108,13 @@ class PageWriter {
 
   private text(line: TextLine): void {
     const { fonts } = this;
-    if (fonts instanceof PdfFonts) this.printed(line, fonts);
+    const isPrinted = fonts instanceof PdfFonts;
+    if (isPrinted) this.printed(line, fonts);
     else this.lines(penStyle(this.look), walksOf(outlinesOf(line, fonts)), true);
+    if (!line.underlined) return;
+    const { line: segment, width } = underlineOf(line);
+    const style = isPrinted ? { width, colour: this.look.text, dash: [] } : penStyle(this.look);
+    this.lines(style, [segment], false);
   }
 
   /** Runs of letters from each font in turn, and boxes for those that none has. */

@@ -5,7 +5,7 @@ import type { SheetFrame } from './sheet-frame.js';
 import type { PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { sidesOf } from './polygon.js';
-import { centredLine, type TextLine } from './text-line.js';
+import { centredLine, underlineOf, type TextLine } from './text-line.js';
 
 /**
  * The lines of one piece, or of a loose strip, where they lie on the sheet; mm, y up, from the
@@ -160,7 +160,10 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
   const hasTape = piece.tapeMarks.length > 0;
   const texts = piece.labels.map((label) => lineOf(label, piece.x, piece.y));
   if (foldAngles) {
-    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
+    const underlines = texts
+      .filter(({ underlined }) => underlined)
+      .map((text) => underlineOf(text).line);
+    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides, ...underlines];
     texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
   }
   const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));

@@ -7,7 +7,7 @@ import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
-import type { TextLine } from './text-line.js';
+import { underlineOf, type TextLine } from './text-line.js';
 
 /** The 0.1 micrometre that four decimals keep is far below what any printer or cutter resolves. */
 function decimal(value: number): string {
@@ -143,7 +143,7 @@ class SheetWriter {
       y: top!,
       fill: this.look.text,
       'font-family': 'Helvetica, Arial, sans-serif',
-      'font-size': line.size,
+      'font-size': decimal(line.size),
       'text-anchor': line.anchor,
       // About its own place, which stays where x and y say.
       ...(turn !== '0' && { transform: `rotate(${turn} ${left} ${top})` }),
@@ -151,9 +151,20 @@ class SheetWriter {
     return `<text ${owner}${place}>${escaped(line.text)}</text>`;
   }
 
+  private label(line: TextLine, owner: string): string[] {
+    const text = this.text(line, owner);
+    if (!line.underlined) return [text];
+    const { line: segment, width } = underlineOf(line);
+    const style =
+      this.texts === 'drawn'
+        ? penStyle(this.look)
+        : { width: Number(decimal(width)), colour: this.look.text, dash: [] };
+    return [text, `<path ${owner}${strokeOf(style)} d="${this.walk(segment, false)}"/>`];
+  }
+
   private labels(): string[] {
     return this.drawing.pieces.flatMap(({ letter, texts }) =>
-      texts.map((line) => this.text(line, `data-piece="${escaped(letter)}" `)),
+      texts.flatMap((line) => this.label(line, `data-piece="${escaped(letter)}" `)),
     );
   }
 
