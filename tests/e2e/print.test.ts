@@ -44,6 +44,10 @@ test('every field redraws the sheets at once, without another search', () =>
     await page.locator('.sheet [stroke="#c02020"]').first().waitFor();
     await page.check('#print-angles');
     await says('°').waitFor();
+    await page.getByLabel('only the ends of folds').check();
+    await says('fold from mark to mark').waitFor();
+    await page.getByLabel('only the ends of folds').uncheck();
+    await says('fold from mark to mark').waitFor({ state: 'detached' });
     await says('mountain fold').waitFor();
     await page.uncheck('#print-legend');
     await says('mountain fold').waitFor({ state: 'detached' });
@@ -111,6 +115,22 @@ test('a cover and steps come with a download when they are ticked, and undo take
     expect(await tick.isChecked()).toBe(false);
     expect(await pagesOf()).toHaveLength(sheets.length);
     await studio.picture('print-3-assembly');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a PDF has folds on the backs of its sheets when that is ticked', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    const sheets = await page.locator('#sheets > li').count();
+    await page.getByLabel('folds on the back, too').check();
+    await page.getByRole('button', { name: 'Undo: change of lines' }).waitFor();
+    const { bytes } = await studio.download('PDF');
+    const { pages } = await readPdf(new Uint8Array(bytes));
+    expect(pages).toHaveLength(2 * sheets);
+    const words = pages[1]!.texts.map(({ text }) => text).join();
+    expect(words).toContain(`back of sheet 1 of ${sheets}`);
+    expect(await page.locator('#sheets > li').count()).toBe(sheets);
     expect(studio.complaints).toEqual([]);
   }));
 

@@ -152,6 +152,8 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
         'both',
         '--assembly',
         'on',
+        '--duplex',
+        'on',
         '-o',
         join(folder, 'out.dxf'),
       ]);
@@ -159,6 +161,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(notes).toEqual([
         "note: option '--unit' changes nothing without '--scale'",
         "note: option '--flap-side' changes nothing without flaps",
+        "note: option '--duplex' changes nothing without a PDF file",
         "note: option '--assembly' changes nothing without a PDF, SVG or PNG file",
       ]);
     }));

@@ -65,6 +65,7 @@ describe('print options', () => {
     ['--machine', 'silhouette', '--dpi', '600', '--mountain-dash', '3,1'],
     ['--flap-colour', '#eeeeee', '--flat-fold', '12', '--fold-angles', 'on', '--legend', 'off'],
     ['--assembly', 'on'],
+    ['--fold-ticks', 'on', '--duplex', 'on'],
   ])('can be written down and read again', (...args) => {
     const looks = optionsOf(...args);
     const again = changedSettings(defaultSettings(), lookOptions(looks));
@@ -80,6 +81,8 @@ describe('print options', () => {
     ['--measured', '50,60', 'is not a number from 45 to 55, nor off'],
     ['--fold-angles', 'yes', 'is not on or off'],
     ['--assembly', 'cover', 'is not on or off'],
+    ['--duplex', 'long', 'is not on or off'],
+    ['--fold-ticks', '3', 'is not on or off'],
     ['--machine', 'laser', 'is not none or silhouette or cricut or generic'],
     ['--dpi', '1201', 'is not a whole number from 72 to 1200'],
   ])('refuse %s %s', (name, value, sentence) => {

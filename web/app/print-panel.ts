@@ -65,6 +65,8 @@ export class PrintPanel extends Panel {
   private readonly style = this.find('#print-style', HTMLSelectElement);
   private readonly shaded = this.find('#print-flaps', HTMLInputElement);
   private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
+  private readonly ticks = this.find('#print-ticks', HTMLInputElement);
+  private readonly backs = this.find('#print-backs', HTMLInputElement);
   private readonly angles = this.find('#print-angles', HTMLInputElement);
   private readonly legend = this.find('#print-legend', HTMLInputElement);
   private readonly assembly = this.find('#print-assembly', HTMLInputElement);
@@ -130,6 +132,8 @@ export class PrintPanel extends Panel {
     this.shaded.checked = look.flaps !== 'none';
     const { flatFold } = options;
     this.flatFold.value = flatFold === defaultPrint.flatFold ? '' : String(flatFold);
+    this.ticks.checked = options.foldTicks;
+    this.backs.checked = options.duplex;
     this.angles.checked = options.foldAngles;
     this.legend.checked = options.legend;
     this.assembly.checked = options.assembly;
@@ -152,6 +156,8 @@ export class PrintPanel extends Panel {
         flaps: this.shaded.checked ? flapShade : 'none',
       }),
       flatFold: number(this.flatFold, defaultPrint.flatFold),
+      foldTicks: this.ticks.checked,
+      duplex: this.backs.checked,
       foldAngles: this.angles.checked,
       legend: this.legend.checked,
       assembly: this.assembly.checked,
@@ -223,7 +229,14 @@ export class PrintPanel extends Panel {
       sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
     }
     this.machineHint.textContent = machineWords[options.machine];
-    for (const field of [this.style, this.shaded, this.legend, this.printer]) {
+    for (const field of [
+      this.style,
+      this.shaded,
+      this.ticks,
+      this.backs,
+      this.legend,
+      this.printer,
+    ]) {
       field.disabled = options.machine !== 'none';
     }
     const isOn = isCalibrated(options);

@@ -40,6 +40,8 @@ const needs: Partial<Record<keyof Settings, Need[]>> = {
   style: [needsScissors],
   legend: [needsScissors],
   measured: [needsScissors],
+  'fold-ticks': [needsScissors],
+  duplex: [needsScissors, needsOutput('pdf')],
   assembly: [needsOutput('pdf', 'svg', 'png')],
   dpi: [needsOutput('png')],
 };

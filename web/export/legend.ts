@@ -1,4 +1,5 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
+import type { PrintOptions } from '../model/print-options.js';
 import { bandOf, type SheetFrame, type Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
@@ -49,7 +50,7 @@ function flapSample(): Stroke[] {
   ];
 }
 
-function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
+function entriesFor(pieces: readonly PieceDrawing[], foldTicks: boolean): Entry[] {
   const texts = pieces.flatMap((piece) => piece.texts.map(({ text }) => text));
   const some = (test: (piece: PieceDrawing) => boolean): boolean => pieces.some(test);
   const line = (kind: 'cut' | 'mountain' | 'valley', text: string): Entry => {
@@ -61,6 +62,9 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
     line('cut', 'cut'),
     ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', 'mountain fold')] : []),
     ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', 'valley fold')] : []),
+    ...(foldTicks && some(({ mountains, valleys }) => mountains.length + valleys.length > 0)
+      ? [words('fold from mark to mark')]
+      : []),
     ...(some(({ flaps }) => flaps.length > 0)
       ? [{ sample: flapSample(), text: 'flap for glue' }]
       : []),
@@ -159,8 +163,12 @@ function inUpperMargin(
 export function placeLegend(
   sheets: readonly SheetDrawing[],
   margin: number,
+  { foldTicks }: Pick<PrintOptions, 'foldTicks'>,
 ): { sheet: number; legend: SheetFrame } | null {
-  const entries = entriesFor(sheets.flatMap(({ pieces }) => pieces));
+  const entries = entriesFor(
+    sheets.flatMap(({ pieces }) => pieces),
+    foldTicks,
+  );
   for (const [sheet, drawing] of sheets.entries()) {
     const legend =
       onFreeSpace(drawing, entries, margin) ??

@@ -2,6 +2,7 @@ import {
   beginMarkedContent,
   beginText,
   closePath,
+  Duplex,
   endMarkedContent,
   endText,
   fill,
@@ -34,6 +35,7 @@ import type { Layer } from './layers.js';
 import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf, walksOf } from './outlines.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
+import { inPairs } from './back-page.js';
 import { PdfFonts } from './pdf-fonts.js';
 import { PdfLayers } from './pdf-layers.js';
 import { edgeStyle, type PictureShape } from './picture-shape.js';
@@ -244,12 +246,12 @@ class PageWriter {
 /**
  * Sheets as one vector PDF at true size, a page for each, with scaling switched off in the print
  * dialogue, and of each font the letters that are used; by default all sheets, and before them the pages
- * that tell how to build the model, if they were asked for. What the SVG has as groups are layers. The
+ * that tell how to build the model, and behind each its back, if they were asked for. What the SVG has as groups are layers. The
  * same print gives the same bytes.
  */
 export async function writePdf(
   print: Print,
-  sheets: readonly SheetDrawing[] = [...print.pages, ...print.sheets],
+  sheets: readonly SheetDrawing[] = inPairs(print.pages, print.sheets, print.backs),
 ): Promise<Uint8Array> {
   const { title, look, machine } = print;
   const document = await PDFDocument.create({ updateMetadata: false });
@@ -258,7 +260,9 @@ export async function writePdf(
   const layers = new PdfLayers(document);
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
-  document.catalog.getOrCreateViewerPreferences().setPrintScaling(PrintScaling.None);
+  const preferences = document.catalog.getOrCreateViewerPreferences();
+  preferences.setPrintScaling(PrintScaling.None);
+  if (print.backs.length > 0) preferences.setDuplex(Duplex.DuplexFlipLongEdge);
   for (const sheet of sheets) {
     const page = document.addPage([points(sheet.width), points(sheet.height)]);
     new PageWriter(page, look, fonts, layers).write(sheet);

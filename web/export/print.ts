@@ -1,6 +1,14 @@
 import type { JobResult, Notice } from '../model/job.js';
-import { isCalibrated, type Machine, type PrintOptions } from '../model/print-options.js';
+import {
+  isCalibrated,
+  printsBacks,
+  type Machine,
+  type PrintOptions,
+} from '../model/print-options.js';
+import { alignmentCrosses, crossRoom } from './alignment-cross.js';
+import { backOf } from './back-page.js';
 import { calibrated, corrections, overrun } from './calibration.js';
+import { withFoldTicks } from './fold-ticks.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
 import type { RendererLoader } from './renderer-loader.js';
@@ -31,6 +39,8 @@ export interface Print {
   /** Pixels to the inch of pictures. */
   dpi: number;
   sheets: SheetDrawing[];
+  /** One for each sheet if they are printed on both sides, else none. */
+  backs: SheetDrawing[];
   /** Those that tell how to build the model, if they were asked for: the cover first. */
   pages: SheetDrawing[];
   /** Of those: they are for people, whoever cuts the sheets. */
@@ -89,30 +99,45 @@ async function loadFonts(
   }
 }
 
-/** The sheets as they shall be on paper, and whether a legend that was asked for is on one of them. */
-function drawSheets({ result, title, margin, options }: PrintInput): {
-  sheets: SheetDrawing[];
-  lacksLegend: boolean;
-} {
+/** The sheets without their legend, their folds as lines. */
+function drawFronts({ result, title, margin, options }: PrintInput): SheetDrawing[] {
   const count = result.sheets.length;
-  const sheets = result.sheets.map(({ width, height }, sheet): SheetDrawing => {
+  const isTwoSided = printsBacks(options);
+  return result.sheets.map(({ width, height }, sheet): SheetDrawing => {
     const note = noteOf(sheet, count, options);
-    return {
-      width,
-      height,
-      pieces: drawPieces(result, sheet, options),
-      frame: frameSheet({ width, height, margin, title: cleaned(title), note }),
-    };
+    const ends = isTwoSided ? crossRoom : 0;
+    const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends });
+    if (isTwoSided) frame.strokes.push(...alignmentCrosses(width, height, margin));
+    return { width, height, pieces: drawPieces(result, sheet, options), frame };
   });
-  if (!options.legend || options.machine !== 'none') return { sheets, lacksLegend: false };
-  const found = placeLegend(sheets, margin);
-  if (!found) return { sheets, lacksLegend: true };
+}
+
+function drawBacks(fronts: readonly SheetDrawing[], input: PrintInput): SheetDrawing[] {
+  const { margin, options } = input;
+  if (!printsBacks(options)) return [];
+  const [title, count] = [cleaned(input.title), fronts.length];
+  return fronts.map((sheet, i) => backOf({ sheet, number: i + 1, count, margin, title }));
+}
+
+/** Adds a legend, if it was asked for and one of the sheets has room; tells whether one is lacking. */
+function addLegend(sheets: readonly SheetDrawing[], { margin, options }: PrintInput): boolean {
+  if (!options.legend || options.machine !== 'none') return false;
+  const found = placeLegend(sheets, margin, options);
+  if (!found) return true;
   const { strokes, texts } = sheets[found.sheet]!.frame;
   sheets[found.sheet]!.frame = {
     strokes: [...strokes, ...found.legend.strokes],
     texts: [...texts, ...found.legend.texts],
   };
-  return { sheets, lacksLegend: false };
+  return false;
+}
+
+/** A sheet as it goes to whoever cuts it. */
+function finished(sheet: SheetDrawing, options: PrintOptions): SheetDrawing {
+  const { foldTicks, machine } = options;
+  if (machine !== 'none') return forMachine(sheet, machine);
+  const pieces = foldTicks ? sheet.pieces.map(withFoldTicks) : sheet.pieces;
+  return calibrated({ ...sheet, pieces }, corrections(options));
 }
 
 const pageLookOf = (options: PrintOptions): Look => lookOf({ ...options, machine: 'none' });
@@ -137,14 +162,13 @@ async function drawPages({ margin, options, result, title }: PrintInput): Promis
 export async function preparePrint(input: PrintInput): Promise<Print> {
   const { options, loadFont, loadRenderer } = input;
   const { machine, dpi } = options;
-  const { sheets: drawn, lacksLegend } = drawSheets(input);
-  const factors = corrections(options);
-  const sheets = drawn.map((sheet) =>
-    machine === 'none' ? calibrated(sheet, factors) : forMachine(sheet, machine),
-  );
+  const fronts = drawFronts(input);
+  const lacksLegend = addLegend(fronts, input);
+  const sheets = fronts.map((sheet) => finished(sheet, options));
+  const backs = drawBacks(fronts, input).map((back) => calibrated(back, corrections(options)));
   const notices = [...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
   const pages = await drawPages(input);
-  const texts = textsOf([...pages, ...sheets]);
+  const texts = textsOf([...pages, ...sheets, ...backs]);
   const isText = machine === 'none' && texts.every(isPlain);
   const fonts = isText ? null : await loadFonts(texts, loadFont, notices);
   return {
@@ -153,6 +177,7 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
     machine,
     dpi,
     sheets,
+    backs,
     pages,
     pageLook: pageLookOf(options),
     fonts,
@@ -164,12 +189,20 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
 
 /** The pages that tell how to build the model as sheets of their own. */
 export function pagesOf(print: Print): Print {
-  return { ...print, look: print.pageLook, machine: 'none', sheets: print.pages, pages: [] };
+  return {
+    ...print,
+    look: print.pageLook,
+    machine: 'none',
+    sheets: print.pages,
+    backs: [],
+    pages: [],
+  };
 }
 
 /** All fonts that the texts need, for formats that have none of their own. */
-export async function fontsOf({ fonts, pages, sheets, loadFont }: Print): Promise<FontSet> {
+export async function fontsOf(print: Print): Promise<FontSet> {
+  const { backs, fonts, pages, sheets, loadFont } = print;
   if (fonts) return fonts;
   const { FontSet } = await import('./font-set.js');
-  return FontSet.load(textsOf([...pages, ...sheets]), loadFont);
+  return FontSet.load(textsOf([...pages, ...sheets, ...backs]), loadFont);
 }

@@ -28,12 +28,14 @@ export interface SheetFramePlan {
   /** Two lines; the first may be shortened, the second is left out where it has no room. */
   title: string;
   note: string;
+  /** What stays free at the far ends of both bands; mm. */
+  ends: number;
 }
 
 // As the engine has them: what printers leave white, unless the margin says that this one does not,
 // and the height of the band.
 const unprinted = 4;
-const bandHeight = 5.5;
+export const bandHeight = 5.5;
 
 // 6 points: small, but readable on every printer.
 const textSize = 2.1;
@@ -46,6 +48,9 @@ const gap = 3;
 const lineRoom = 0.5;
 // Baselines of title and note over the band's lower edge.
 const [upperLine, lowerLine] = [3.1, 0.5];
+
+/** Of the two lines of text in the band: baselines over its lower edge, size, and what stays free beside them; mm. */
+export const bandLines = { upper: upperLine, lower: lowerLine, size: textSize, gap } as const;
 
 /** Where the band begins, and where pieces do, from the left and the lower edge; mm. */
 export function bandOf(margin: number): { from: number; to: number } {
@@ -178,15 +183,16 @@ function leftBand(margin: number, height: number, hasMark: boolean): SheetFrame[
 }
 
 /** The frame of one sheet. On paper too small for all of it some parts are smaller or left out. */
-export function frameSheet({ width, height, margin, title, note }: SheetFramePlan): SheetFrame {
+export function frameSheet(plan: SheetFramePlan): SheetFrame {
+  const { width, height, margin, title, note, ends } = plan;
   const { from, to } = bandOf(margin);
-  const end = width - margin;
+  const end = width - margin - ends;
   const words = widthAtMost(note, textSize);
   const { parts, left: first } = measures(margin, end - to - words);
   const isBelow = first + outsideWidth + gap + words <= end;
   if (isBelow) parts.push(outsideMark(0, [first, from]));
   const left = isBelow ? first + outsideWidth + gap : first;
-  parts.push(...leftBand(margin, height, !isBelow));
+  parts.push(...leftBand(margin, height - ends, !isBelow));
   const line = (text: string, y: number): TextLine => ({
     text: shortened(text, textSize, end - left),
     at: [left, from + y],

@@ -208,6 +208,18 @@ export const rows = {
     wordOr('style', wordOr('none', colour)),
     'what flaps are filled with',
   ),
+  'fold-ticks': row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: folds are marks of 3 mm at both ends, or a third of the fold, instead of lines across the picture',
+  ),
+  duplex: row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: behind each sheet a page with its folds, mirrored, to print on both sides, turned along the long edge (PDF)',
+  ),
   'fold-angles': row(
     'on|off',
     'off',
@@ -256,7 +268,6 @@ export interface LaterRow {
 export const laterRows: Record<string, LaterRow> = {
   texture: {},
   colour: { value: 'NAME', same: 'none' },
-  duplex: {},
 };
 
 /** The settings as a person would write them, by the names of the options. */
@@ -312,6 +323,8 @@ export function printOptions(settings: Settings): PrintOptions {
     },
     ...(flaps !== 'style' && { flaps }),
     flatFold: settings['flat-fold'],
+    foldTicks: settings['fold-ticks'] === 'on',
+    duplex: settings.duplex === 'on',
     foldAngles: settings['fold-angles'] === 'on',
     legend: settings.legend === 'on',
     assembly: settings.assembly === 'on',

@@ -25,6 +25,10 @@ export interface PrintOptions {
   flaps?: string;
   /** Folds flatter than this many degrees are not drawn. */
   flatFold: number;
+  /** Whether folds are short marks at both ends instead of lines; machines score them whole. */
+  foldTicks: boolean;
+  /** Whether PDF files have the folds on the backs of their sheets, too; none for machines. */
+  duplex: boolean;
   /** Whether folds are told by how many degrees they are folded. */
   foldAngles: boolean;
   /** Whether a legend is printed, once. */
@@ -51,6 +55,8 @@ export const defaultPrint: Readonly<PrintOptions> = {
   style: 'foldwright',
   lines: {},
   flatFold: 3,
+  foldTicks: false,
+  duplex: false,
   foldAngles: false,
   legend: true,
   assembly: false,
@@ -62,4 +68,9 @@ export const defaultPrint: Readonly<PrintOptions> = {
 /** Whether sheets are corrected for a printer. Machines cut true to size, whatever printers do. */
 export function isCalibrated({ machine, measured }: PrintOptions): boolean {
   return machine === 'none' && measured.some((length) => length !== rulerLength);
+}
+
+/** Whether sheets are printed on both sides. */
+export function printsBacks({ duplex, machine }: PrintOptions): boolean {
+  return duplex && machine === 'none';
 }

@@ -56,6 +56,8 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'valley-dash',
   'valley-colour',
   'flap-colour',
+  'fold-ticks',
+  'duplex',
   'fold-angles',
   'legend',
   'assembly',
@@ -86,7 +88,7 @@ function parsed(name: string, value: unknown): unknown {
 
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
-  const { assembly, lines, flatFold, foldAngles, legend, machine, dpi } = print;
+  const { assembly, duplex, lines, flatFold, foldAngles, foldTicks, legend, machine, dpi } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -104,6 +106,8 @@ export function lookOptions(print: PrintOptions): Options {
     valleyColour: lines.valley?.colour ?? 'style',
     flapColour: print.flaps ?? 'style',
     flatFold,
+    foldTicks: foldTicks ? 'on' : 'off',
+    duplex: duplex ? 'on' : 'off',
     foldAngles: foldAngles ? 'on' : 'off',
     legend: legend ? 'on' : 'off',
     assembly: assembly ? 'on' : 'off',
