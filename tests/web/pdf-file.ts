@@ -172,11 +172,14 @@ function pieceOf(reader: PageReader, name: string): PieceLines {
     valleys: [],
     guides: guides.map(({ path }): [Point, Point] => [path.points[0]!, path.points[1]!]),
     texts: reader.texts.filter((line) => line.mark === mark).map(({ text }) => text),
+    underlines: [],
   };
   for (const { path, layer } of reader.paths.filter((line) => line.mark === mark)) {
     const { closed, points } = path;
     const kind = ({ 'Mountain folds': 'mountains', 'Valley folds': 'valleys' } as const)[layer];
     if (kind) piece[kind].push([points[0]!, points[1]!]);
+    // Boxes for letters that no font has are closed.
+    if (layer === 'Numbers' && !closed) piece.underlines.push([points[0]!, points[1]!]);
     if (layer !== 'Cuts') continue;
     if (!closed) throw new Error('a cut is not closed');
     piece.cuts.push(points);
