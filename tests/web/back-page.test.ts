@@ -27,13 +27,13 @@ const sorted = (lines: Point[][]): number[][] =>
 const foldsOf = ({ sheet }: PdfPage, kind: 'mountains' | 'valleys'): Point[][] =>
   [...sheet.pieces.values()].flatMap((piece) => piece[kind]);
 
-/** The crosses: the only lines of the guide that are 5 mm long and not of a ruler or a box. */
+/** The crosses: the only lines of the guide that are 4 mm long. */
 function crossesOf({ frame }: SheetDrawing): Point[][] {
   return frame.strokes
     .map(({ points }) => points)
     .filter((points) => {
       const [from, to] = points;
-      return points.length === 2 && Math.hypot(to![0] - from![0], to![1] - from![1]) === 5;
+      return points.length === 2 && Math.hypot(to![0] - from![0], to![1] - from![1]) === 4;
     });
 }
 

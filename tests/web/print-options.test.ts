@@ -53,8 +53,9 @@ describe('print options', () => {
   });
 
   it('are true and false in programs', () => {
-    const settings = changedSettings(defaultSettings(), { assembly: true, legend: false });
-    expect(printOptions(settings)).toMatchObject({ assembly: true, legend: false });
+    const switches = { assembly: true, legend: false, foldTicks: true, duplex: true };
+    const settings = changedSettings(defaultSettings(), switches);
+    expect(printOptions(settings)).toMatchObject(switches);
     expect(() => changedSettings(defaultSettings(), { parts: true })).toThrow("'true' is not");
   });
 

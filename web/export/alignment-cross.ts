@@ -2,8 +2,8 @@
 import { bandHeight, bandLines, bandOf, type Stroke } from './sheet-frame.js';
 import type { Point } from './point.js';
 
-/** Of a cross, across and up: as high as the band beside the pieces allows; mm. */
-export const crossSize = 5;
+/** Of a cross, across and up: in the band it stays 0.75 mm away from pieces; mm. */
+const crossSize = 4;
 
 /** What they take of the ends of both bands; mm. */
 export const crossRoom = crossSize + bandLines.gap;
