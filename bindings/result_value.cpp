@@ -100,6 +100,15 @@ val flaps_value(const std::vector<Flap>& flaps) {
   return object;
 }
 
+val seam_value(const NamedSeam& seam) {
+  val object = val::object();
+  object.set("modelEdges", ints(seam.mesh_edges));
+  object.set("pieces", list(seam.nets, [](int piece) { return val(piece); }));
+  object.set("texts", list(seam.id.texts, [](const std::string& text) { return val(text); }));
+  object.set("name", seam.id.name);
+  return object;
+}
+
 /// How many flaps there are, and why others are missing.
 val flap_counts_value(const JobResult& result) {
   int misses[4] = {0, 0, 0, 0};
@@ -288,6 +297,7 @@ val result_value(const JobResult& result) {
   object.set("strips", list(result.strips, strip_value));
   object.set("efficiency", result.sheets.efficiency);
   object.set("scale", result.sheets.scale);
+  object.set("seams", list(result.seams, seam_value));
   object.set("flaps", flap_counts_value(result));
   object.set("ids", ids_value(result));
   object.set("search", search);

@@ -127,7 +127,9 @@ std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& c
   for (const Polygon* obstacle : obstacles) {
     Polygon local;
     for (const Vec2& p : *obstacle) local.push_back(side.local(p));
-    lower_below(profile, local);
+    // What touches the base from below, as the faces of its own panel do, is no roof over it.
+    const auto is_below = [](const Vec2& p) { return p.y() <= kTouching; };
+    if (!std::ranges::all_of(local, is_below)) lower_below(profile, local);
   }
   lower_below(profile, cover);
   const auto found = best_flap(profile, cover.lean, shape);

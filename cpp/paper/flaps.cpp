@@ -78,6 +78,7 @@ class FlapPlacer {
         room_(nets, keep_off),
         corners_(seams_.size()),
         chosen_(seams_.size(), -1),
+        is_served_(seams_.size(), 0),
         placed_(seams_.size()) {
     find_corners();
   }
@@ -85,7 +86,10 @@ class FlapPlacer {
   FlapPlan place() {
     choose_sides();
     const std::vector<int> order = by_scarcity();
-    for (const int seam : order) serve(seam);
+    for (const int seam : order) {
+      serve(seam);
+      is_served_[seam] = 1;
+    }
     for (const int seam : order) serve_again(seam);
     finish(order);
     if (options_.borders || !mesh_.joints.empty()) serve_borders();
@@ -126,7 +130,7 @@ class FlapPlacer {
       for (const int s : {0, 1}) {
         const SeamSide& side = seams_[i].sides[s];
         const auto next = starts.find({side.net, base_of(side)[1]});
-        if (next == starts.end() || next->second.seam == i) continue;
+        if (next == starts.end()) continue;
         const auto& [j, t] = next->second;
         const SeamSide& beside = seams_[j].sides[t];
         const auto lean = half_corner(beside.to - beside.from, side.from - side.to);
@@ -214,7 +218,8 @@ class FlapPlacer {
         std::array<bool, 2> shares;
         for (const int end : {0, 1}) {
           const int other = corners_[i][s][end].other.seam;
-          shares[end] = other != -1 && chain_of[other] == chain_of[i];
+          const bool is_same = other != -1 && chain_of[other] == chain_of[i];
+          shares[end] = is_same && (other != i || wish.both);
         }
         const auto flap = best(i, s, shares);
         heights_[i][s] = flap ? flap->height : 0;
@@ -255,9 +260,9 @@ class FlapPlacer {
   /// Whether a flap beside a corner is there, or is still to come.
   bool is_awaited(const SeamStep& step) const {
     if (step.seam == -1) return false;
-    const bool has_come = placed_[step.seam][0] || placed_[step.seam][1];
-    if (has_come) return placed_[step.seam][step.side].has_value();
-    return chosen_[step.seam] == step.side && heights_[step.seam][step.side] > 0;
+    if (is_served_[step.seam]) return placed_[step.seam][step.side].has_value();
+    const bool is_wanted = chosen_[step.seam] == step.side || wish_of(seams_[step.seam]).both;
+    return is_wanted && heights_[step.seam][step.side] > 0;
   }
 
   void put(int seam, int s, const Trapezoid& shape) {
@@ -415,6 +420,7 @@ class FlapPlacer {
   std::vector<std::array<std::array<Corner, 2>, 2>> corners_;  ///< per seam, side and end
   std::vector<SideHeights> heights_;                           ///< per seam, where flaps may be
   std::vector<int> chosen_;                                    ///< per seam: the side of its flap
+  std::vector<char> is_served_;                                ///< per seam
   std::vector<std::array<std::optional<PlacedFlap>, 2>> placed_;  ///< per seam and side
   FlapPlan plan_;
 };

@@ -7,7 +7,6 @@
 
 #include "paper/callouts.h"
 #include "paper/joint_line.h"
-#include "paper/seam_ids.h"
 #include "paper/tape_marks.h"
 
 namespace foldwright {
@@ -313,6 +312,7 @@ class LabelPlacer::Work {
     plan_.tape_marks.resize(task_.nets.size());
     for (std::size_t i = 0; i < seams_.size(); ++i) {
       const Seam& seam = seams_[i];
+      plan_.seams.push_back({seam.mesh_edges, {seam.sides[0].net, seam.sides[1].net}, ids_[i]});
       if (task_.place != IdPlace::kNone) {
         const bool is_complete = written_[i][0] && written_[i][1];
         if (is_complete) ++plan_.printed;

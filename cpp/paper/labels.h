@@ -5,7 +5,7 @@
 #include <string>
 
 #include "paper/flaps.h"
-#include "paper/seams.h"
+#include "paper/seam_ids.h"
 #include "paper/text_box.h"
 
 namespace foldwright {
@@ -28,7 +28,15 @@ struct Label {
   std::optional<Stroke> leader = {};
 };
 
+/// A seam with what is printed at it.
+struct NamedSeam {
+  std::vector<int> mesh_edges;  ///< ascending
+  std::array<int, 2> nets;
+  SeamId id;
+};
+
 struct LabelPlan {
+  std::vector<NamedSeam> seams;            ///< by lowest mesh edge, and after them the joints
   std::vector<std::vector<Label>> labels;  ///< per net; the name comes first if it is there
   int printed = 0;                         ///< cut edges with their id at both sides
   /// Names of the seams that are unreadable at one side at least, see `SeamId::name`; by seam.

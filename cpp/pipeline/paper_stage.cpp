@@ -168,6 +168,7 @@ class PaperStage : public Stage {
     result.missed_flaps = std::move(draft.flaps.missed);
     result.strips = std::move(plan_->strips);
     result.taped = plan_->taped;
+    result.seams = std::move(plan_->labels.seams);
     result.printed_ids = plan_->labels.printed;
     result.skipped_ids = std::move(plan_->labels.skipped);
     for (std::size_t i = 0; i < draft.nets.size(); ++i) {

@@ -82,6 +82,7 @@ struct JobResult {
   std::vector<MissedFlap> missed_flaps;
   std::vector<Strip> strips;             ///< loose ones, for edges without a flap; by edge
   int taped = 0;                         ///< edges left for tape
+  std::vector<NamedSeam> seams;          ///< what is glued to what; nets are pieces
   int printed_ids = 0;                   ///< see `LabelPlan`
   std::vector<std::string> skipped_ids;  ///< see `LabelPlan`
   std::int64_t moves = 0;                ///< of the tree searches

@@ -23,13 +23,18 @@ export function notePackages(name) {
   };
 }
 
-/** Puts the WASM beside the scripts, under its own name: under node the module looks for it there. */
+/** Puts the engine and the renderer of PNG files beside the scripts, where node looks for them. */
 export function copyWasm() {
-  const file = join(root, 'web/core/generated/foldwright.wasm');
+  const files = {
+    'foldwright.wasm': 'web/core/generated/foldwright.wasm',
+    'resvg.wasm': 'node_modules/@resvg/resvg-wasm/index_bg.wasm',
+  };
   return {
     name: 'copy-wasm',
     generateBundle() {
-      this.emitFile({ type: 'asset', fileName: 'foldwright.wasm', source: readFileSync(file) });
+      for (const [fileName, file] of Object.entries(files)) {
+        this.emitFile({ type: 'asset', fileName, source: readFileSync(join(root, file)) });
+      }
     },
   };
 }

@@ -3,7 +3,14 @@ import { expect, test } from 'vitest';
 import { Deployment } from './deployment.js';
 import { StudioPage } from './studio-page.js';
 
-const formats = ['PDF', 'SVG', 'FOLD', 'Folding animation (GLB)'];
+const formats = [
+  'PDF',
+  'SVG',
+  'Pictures (PNG)',
+  'Machine (DXF)',
+  'FOLD',
+  'Folding animation (GLB)',
+];
 const nextTitle = 'The next build';
 
 async function withDeployment(
@@ -35,8 +42,8 @@ async function downloads(studio: StudioPage): Promise<string[]> {
 }
 
 /** Several sheets come as a zip file. */
-const realFiles = [/^%PDF-/, /^(<\?xml|PK)/, /^\{/, /^glTF/].map((start): unknown =>
-  expect.stringMatching(start),
+const realFiles = [/^%PDF-/, /^(<\?xml|PK)/, /^(\x89PNG|PK)/, /^(0\nSEC|PK)/, /^\{/, /^glTF/].map(
+  (start): unknown => expect.stringMatching(start),
 );
 const patience = { timeout: 20_000 };
 

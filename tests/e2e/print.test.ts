@@ -44,6 +44,10 @@ test('every field redraws the sheets at once, without another search', () =>
     await page.locator('.sheet [stroke="#c02020"]').first().waitFor();
     await page.check('#print-angles');
     await says('°').waitFor();
+    await page.getByLabel('only the ends of folds').check();
+    await says('fold from mark to mark').waitFor();
+    await page.getByLabel('only the ends of folds').uncheck();
+    await says('fold from mark to mark').waitFor({ state: 'detached' });
     await says('mountain fold').waitFor();
     await page.uncheck('#print-legend');
     await says('mountain fold').waitFor({ state: 'detached' });
@@ -85,6 +89,93 @@ test('how lines look is part of the history, and stays for the next run', () =>
     await unfold(studio, 'again');
     await cuts('0.3').waitFor();
     expect(await page.locator('#undo').isHidden()).toBe(true);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a cover and steps come with a download when they are ticked, and undo takes the tick back', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    const tick = page.getByLabel('with cover and building steps');
+    const pagesOf = async () => {
+      const { bytes } = await studio.download('PDF');
+      return (await readPdf(new Uint8Array(bytes))).pages;
+    };
+    const sheets = await pagesOf();
+    await tick.check();
+    const undo = page.getByRole('button', { name: 'Undo: change of lines' });
+    await undo.waitFor();
+    const all = await pagesOf();
+    expect(all.length).toBeGreaterThanOrEqual(sheets.length + 2);
+    expect(all[0]!.texts.map(({ text }) => text)).toContain('How to build it');
+    // The sheets on the page are those to cut.
+    expect(await page.locator('#sheets > li').count()).toBe(sheets.length);
+    await undo.click();
+    await undo.waitFor({ state: 'detached' });
+    expect(await tick.isChecked()).toBe(false);
+    expect(await pagesOf()).toHaveLength(sheets.length);
+    await studio.picture('print-3-assembly');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a PDF has folds on the backs of its sheets when that is ticked', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await unfold(studio, 'house');
+    const sheets = await page.locator('#sheets > li').count();
+    await page.getByLabel('folds on the back, too').check();
+    await page.getByRole('button', { name: 'Undo: change of lines' }).waitFor();
+    const { bytes } = await studio.download('PDF');
+    const { pages } = await readPdf(new Uint8Array(bytes));
+    expect(pages).toHaveLength(2 * sheets);
+    const words = pages[1]!.texts.map(({ text }) => text).join();
+    expect(words).toContain(`back of sheet 1 of ${sheets}`);
+    expect(await page.locator('#sheets > li').count()).toBe(sheets);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('sheets for a machine show what it does, and come without another search', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const hash = await unfold(studio, 'house');
+    await page.getByLabel('Who cuts').selectOption('silhouette');
+    await page.locator('.sheet [data-layer="registration"]').first().waitFor();
+    await page.locator('.sheet [data-layer="cut"] [stroke="#ff0000"]').first().waitFor();
+    expect(await page.locator('.sheet [data-layer="guide"]').count()).toBe(0);
+    expect(await page.locator('.sheet text').count()).toBe(0);
+    expect(await page.locator('#machine-hint').innerText()).toContain('Red lines are cut');
+    expect(await page.locator('#print-style').isDisabled()).toBe(true);
+    await page.getByText('Colours, widths and dashes').click();
+    await studio.picture('print-3-machine');
+    const dxf = await studio.download('Machine (DXF)');
+    if (dxf.name.endsWith('.dxf')) expect(dxf.bytes.toString('latin1')).toContain('REGISTRATION');
+
+    await page.getByLabel('Who cuts').selectOption('cricut');
+    await page.locator('.sheet [data-layer="registration"]').first().waitFor({ state: 'detached' });
+    await page.getByLabel('Who cuts').selectOption('none');
+    await page.locator('.sheet [data-layer="cut"] [stroke="#000000"]').first().waitFor();
+    await page.locator('.sheet text', { hasText: 'print at 100 %' }).first().waitFor();
+    expect(await page.locator('#print-style').isEnabled()).toBe(true);
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('pictures have the dots per inch that were asked for', () =>
+  withStudio(async (studio) => {
+    await unfold(studio, 'house');
+    await studio.page.getByLabel('Dots per inch of pictures').fill('100');
+    const { name, bytes } = await studio.download('Pictures (PNG)');
+    if (name.endsWith('.png')) {
+      const sides = [bytes.readUInt32BE(16), bytes.readUInt32BE(20)].sort((a, b) => a - b);
+      expect(sides).toEqual([Math.ceil((210 / 25.4) * 100), Math.ceil((297 / 25.4) * 100)]);
+    } else {
+      expect(name).toBe('house-png.zip');
+    }
+    await studio.page.selectOption('#paper', 'A2');
+    await unfold(studio, 'large');
+    await studio.page.getByLabel('Dots per inch of pictures').fill('1200');
+    await studio.page.getByRole('button', { name: 'Pictures (PNG)' }).click();
+    expect(await studio.message()).toContain('1200 dots per inch are too many for sheets of');
     expect(studio.complaints).toEqual([]);
   }));
 

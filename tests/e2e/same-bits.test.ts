@@ -1,12 +1,27 @@
 /** Chromium and node give the same bits for the same file and options. */
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { unzipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import { foldwright, inFolder } from '../web/command.js';
 import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
 
 const withStudio = useStudio();
+
+interface Saved {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/** The files of a download, which may be an archive of several. */
+function filesOf({ name, bytes }: Saved): Saved[] {
+  if (!name.endsWith('.zip')) return [{ name, bytes }];
+  return Object.entries(unzipSync(bytes)).map(([entry, content]) => ({
+    name: entry,
+    bytes: content,
+  }));
+}
 
 test('the files and the result hash of the browser are those of the command line', () =>
   inFolder((folder) =>
@@ -15,11 +30,15 @@ test('the files and the result hash of the browser are those of the command line
       await studio.page.fill('#parts', '4');
       await studio.choose('ring.obj', text);
       const hash = await studio.resultOf('ring');
-      const files = [await studio.download('FOLD'), await studio.download('PDF')];
+      const formats = { fold: 'FOLD', pdf: 'PDF', dxf: 'Machine (DXF)', png: 'Pictures (PNG)' };
+      const files: Saved[] = [];
+      for (const button of Object.values(formats)) {
+        files.push(...filesOf(await studio.download(button)));
+      }
 
       const place = (name: string): string => join(folder, name);
       await writeFile(place('ring.obj'), text);
-      const outputs = files.flatMap(({ name }) => ['-o', place(name)]);
+      const outputs = Object.keys(formats).flatMap((format) => ['-o', place(`ring.${format}`)]);
       const report = place('report.json');
       const args = [place('ring.obj'), '--parts', '4', ...outputs, '--report', report, '--quiet'];
       const { status, stderr } = await foldwright(args);
@@ -29,7 +48,8 @@ test('the files and the result hash of the browser are those of the command line
       };
       expect(hash).toBe(expected);
       for (const { name, bytes } of files) {
-        expect([name, bytes.equals(await readFile(place(name)))]).toEqual([name, true]);
+        const same = (await readFile(place(name))).equals(bytes);
+        expect([name, same]).toEqual([name, true]);
       }
     }),
   ));

@@ -1,13 +1,17 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import DxfParser from 'dxf-parser';
 import { describe, expect, it } from 'vitest';
+import { exportFormats } from '../../web/export/formats.js';
 import { checkedRun } from './checked-run.js';
 import { foldwright, inFolder, isBuilt } from './command.js';
 import { cube } from './fixtures.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
+import { readPdf } from './pdf-file.js';
 import { schemaErrors } from './report-schema.js';
+import { readSheet } from './sheet-file.js';
 
 interface WrittenReport {
   files: string[];
@@ -41,7 +45,8 @@ function withModel(
 describe.skipIf(!isBuilt)('a run of the command line', () => {
   it('writes every output and a report of them', () =>
     withModel(objText(cube), async (folder, model) => {
-      const paths = ['out.fold', 'out.svg', 'out.pdf', 'out.glb'].map((name) => join(folder, name));
+      const names = exportFormats.map((format) => `out.${format}`);
+      const paths = names.map((name) => join(folder, name));
       const report = join(folder, 'report.json');
       const outputs = paths.flatMap((path) => ['-o', path]);
       const args = [model, ...outputs, '--report', report, '--parts', '1', '--quiet'];
@@ -51,15 +56,57 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(written.files).toEqual([...paths, report]);
       expect(readdirSync(folder).sort()).toEqual([
         'model.obj',
-        'out.fold',
-        'out.glb',
-        'out.pdf',
-        'out.svg',
+        ...[...names].sort(),
         'report.json',
       ]);
       expect(written.options).toMatchObject({ parts: 1, solver: 'tree', paper: 'A4', seed: 1 });
       expect(written.segmentation).toEqual(Array.from({ length: 12 }, () => 1));
       expect(checkFold(parseFold(readFileSync(paths[0]!, 'utf8')))).toEqual([]);
+    }));
+
+  it('writes sheets for machines as files of their own, and says what that leaves out', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const formats = ['svg', 'pdf', 'dxf', 'png'];
+      const outputs = formats.flatMap((format) => ['-o', join(folder, `out.${format}`)]);
+      const looks = [
+        '--machine',
+        'silhouette',
+        '--style',
+        'blender',
+        '--dpi',
+        '72',
+        '--assembly',
+        'on',
+      ];
+      const { status, stderr } = await foldwright([model, '--parts', '6', ...looks, ...outputs]);
+      expect(status).toBe(0);
+      expect(stderr).toContain("option '--style' changes nothing without '--machine none'");
+      const sheets = Number(/on (\d+) sheets/.exec(stderr)![1]);
+      const written = readdirSync(folder).filter((name) => name.startsWith('out'));
+      const building = written.filter((name) => name.includes('building'));
+      expect(written).toHaveLength(formats.length * sheets + building.length);
+      const dxf = new DxfParser().parseSync(readFileSync(join(folder, 'out-1.dxf'), 'utf8'))!;
+      const svg = readSheet(readFileSync(join(folder, 'out-1.svg'), 'utf8'));
+      const pieces = [...svg.pieces.values()];
+      const count = (layer: string): number =>
+        dxf.entities.filter((entity) => entity.layer === layer).length;
+      expect(count('CUT')).toBe(pieces.flatMap(({ cuts }) => cuts).length);
+      expect(count('MOUNTAIN')).toBe(pieces.flatMap(({ mountains }) => mountains).length);
+      expect(count('REGISTRATION')).toBe(3);
+
+      // Pages for people are files of their own, too, in lines that no machine takes for cuts.
+      const { pages } = await readPdf(
+        new Uint8Array(readFileSync(join(folder, 'out-building.pdf'))),
+      );
+      const numbered = ['svg', 'png'].flatMap((format) =>
+        pages.map((_, page) => `out-building-${page + 1}.${format}`),
+      );
+      expect(building.sort()).toEqual(['out-building.pdf', ...numbered].sort());
+      const cover = readFileSync(join(folder, 'out-building-1.svg'), 'utf8');
+      expect(cover).toContain('>How to build it</text>');
+      expect(cover).not.toContain('#ff0000');
+      expect(pages[0]!.paths.map(({ colour }) => colour)).not.toContain('#ff0000');
+      expect([...pages[0]!.layers]).toEqual(['Guide']);
     }));
 
   it('numbers the sheets of one-page formats', () =>
@@ -94,7 +141,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
     }));
 
   it('tells which of its options change nothing', () =>
-    withModel(objText(cube), async (_, model) => {
+    withModel(objText(cube), async (folder, model) => {
       const { stderr } = await foldwright([
         model,
         '--unit',
@@ -103,11 +150,19 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
         'none',
         '--flap-side',
         'both',
+        '--assembly',
+        'on',
+        '--duplex',
+        'on',
+        '-o',
+        join(folder, 'out.dxf'),
       ]);
       const notes = stderr.split('\n').filter((line) => line.startsWith("note: option '"));
       expect(notes).toEqual([
         "note: option '--unit' changes nothing without '--scale'",
         "note: option '--flap-side' changes nothing without flaps",
+        "note: option '--duplex' changes nothing without a PDF file",
+        "note: option '--assembly' changes nothing without a PDF, SVG or PNG file",
       ]);
     }));
 
@@ -162,6 +217,56 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
       expect(checkFold(parseFold(readFileSync(fold, 'utf8')))).toEqual([]);
       expect((await foldwright([...args, '--merge', '1,2'])).status).toBe(0);
       expect(readReport(path)).toMatchObject({ parts: 1, options: { split: [], merge: ['1,2'] } });
+    }));
+
+  it('names parts, after all other changes', () =>
+    withModel(objText(wavyRing(12)), async (folder, model) => {
+      const [svg, path] = [join(folder, 'out.svg'), join(folder, 'report.json')];
+      const args = [model, '--parts', '2', '--compact', 'off', '--split', '1', '--report', path];
+      const names = ['--name', '3=Crest', '--name', '1=a=b', '-o', svg, '--quiet'];
+      expect(await foldwright([...args, ...names])).toEqual({ status: 0, stdout: '', stderr: '' });
+      const report = readReport(path);
+      expect(schemaErrors(report)).toEqual([]);
+      expect(report).toMatchObject({ parts: 3, options: { name: ['3=Crest', '1=a=b'] } });
+      const named = (report.pieces as { name: string; part: number }[]).map(
+        ({ name, part }) => `${part} ${name}`,
+      );
+      expect(named).toContain('3 Crest');
+      expect(named).toContain('1 a=b');
+    }));
+
+  it.each([
+    ['9=x', "the name 'x': there is no part 9: the model has 2"],
+    ['1=a:b', "the name 'a:b': the name of a part must not hold a colon"],
+    ['1=12', "the name '12': the name of a part must not be a number"],
+  ])('refuses the name %s in one sentence', (name, sentence) =>
+    withModel(objText(wavyRing(8)), async (folder, model) => {
+      const out = ['-o', join(folder, 'out.svg')];
+      const ended = await foldwright([model, '--parts', '2', '--quiet', ...out, '--name', name]);
+      expect(ended.status).toBe(2);
+      expect(ended.stderr).toContain(sentence);
+      expect(readdirSync(folder)).toEqual(['model.obj']);
+    }),
+  );
+
+  it('adds a cover, a list of pieces and steps when they are asked for', () =>
+    withModel(objText(wavyRing(8)), async (folder, model) => {
+      const [pdf, svg, plain] = ['a.pdf', 'a.svg', 'b.pdf'].map((name) => join(folder, name));
+      const args = [model, '--parts', '3', '--quiet', '--compact', 'off'];
+      const path = join(folder, 'report.json');
+      const all = ['--assembly', 'on', '-o', pdf!, '-o', svg!, '--report', path];
+      expect((await foldwright([...args, ...all])).status).toBe(0);
+      expect((await foldwright([...args, '-o', plain!])).status).toBe(0);
+      const report = readReport(path);
+      expect(schemaErrors(report)).toEqual([]);
+      expect(report.options).toMatchObject({ assembly: 'on' });
+      const pages = async (file: string) =>
+        (await readPdf(new Uint8Array(readFileSync(file)))).pages.length;
+      const building = readdirSync(folder).filter((name) => name.startsWith('a-building-'));
+      expect(building.length).toBeGreaterThanOrEqual(3);
+      expect(await pages(plain!)).toBe(report.sheets);
+      expect(await pages(pdf!)).toBe(report.sheets + building.length);
+      expect(report.files).toContain(join(folder, building[0]!));
     }));
 
   it('makes the edits of a file one after the other', () =>

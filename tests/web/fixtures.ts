@@ -221,6 +221,7 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     nets: [],
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
     strips: [],
+    seams: [],
     efficiency: 0.25,
     scale: 1,
     flaps: noFlaps,

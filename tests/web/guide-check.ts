@@ -107,6 +107,8 @@ export function checkGuides(
     const [name = 'a sheet', number] = /^sheet (\d+) of \d+/.exec(note) ?? [];
     numbers.add(`${number} of ${sheets.length}`);
     if (!note.includes(`of ${sheets.length} ·`)) faults.push(`${name}: ${note} is no page number`);
+    const says = (words: string): boolean => sheet.guide.texts.some(({ text }) => text === words);
+    if (!says('this side') || !says('is outside')) faults.push(`${name}: no outside`);
     const isThere = ([x, y]: Point): boolean =>
       extents(sheet).some(([u, v]) => Math.abs(u - x) < tolerance && Math.abs(v - y) < tolerance);
     if (!isThere([50 * factors[0], 0])) faults.push(`${name}: no ruler across`);

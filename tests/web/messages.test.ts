@@ -15,6 +15,8 @@ const own = Object.keys({
   'beyond-page': 0,
   'missing-glyphs': 0,
   'fonts-not-loaded': 0,
+  'marks-not-free': 0,
+  'cricut-area': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
 async function engineCodes(): Promise<string[]> {
@@ -24,6 +26,26 @@ async function engineCodes(): Promise<string[]> {
 
 /** One for each sentence of a code that has several, and for each form of a plural. */
 const examples: readonly [KnownMessage, string][] = [
+  [
+    { code: 'marks-not-free', params: { pieces: ['A', 'C'], margin_mm: 30 } },
+    'the machine looks for its marks where something is cut: a margin of 30 mm keeps them free; pieces A, C',
+  ],
+  [
+    {
+      code: 'cricut-area',
+      params: { sheets: [1, 3], width_mm: 182.6, height_mm: 269.6, margin_mm: 14 },
+    },
+    'Cricut prints and then cuts 182 x 269 mm of this paper at most, and sheets 1 and 3 need more: ' +
+      'cut without printing, or choose a margin of 14 mm',
+  ],
+  [
+    {
+      code: 'cricut-area',
+      params: { sheets: [2], width_mm: 182.6, height_mm: 269.6, margin_mm: 14 },
+    },
+    'Cricut prints and then cuts 182 x 269 mm of this paper at most, and sheet 2 needs more: ' +
+      'cut without printing, or choose a margin of 14 mm',
+  ],
   [
     {
       code: 'bad-index',

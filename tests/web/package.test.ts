@@ -22,6 +22,9 @@ const options: Options = { parts: 4, seed: 3, height: 80, flapSide: 'alternate' 
 const unfolded = await unfold([{ name: 'ring.obj', bytes }], options);
 const parts: number = unfolded.report.parts;
 for (const file of await unfolded.export('fold')) await writeFile(file.name, file.bytes);
+const [book] = await unfolded.export('pdf', { assembly: true });
+const [sheets] = await unfolded.export('pdf');
+const isLonger = book!.bytes.length > sheets!.bytes.length;
 
 const session = await open([{ name: 'ring.obj', bytes }]);
 await session.run(options);
@@ -29,7 +32,7 @@ const edit: DocumentEdit = { kind: 'split', part: 1, into: 2 };
 const applied = await session.apply(edit);
 const answer = applied.ok ? applied.changed.length : applied.code;
 session.undo();
-console.log(JSON.stringify({ parts, answer, after: session.report.parts }));
+console.log(JSON.stringify({ parts, answer, isLonger, after: session.report.parts }));
 session.close();
 `;
 
@@ -95,7 +98,7 @@ describe.skipIf(!isBuilt)('the package', () => {
           typeRoots: [join(root, 'node_modules/@types')],
         });
         const { stdout } = await run(process.execPath, ['program.js'], { cwd: folder });
-        expect(JSON.parse(stdout)).toEqual({ parts: 4, answer: 2, after: 4 });
+        expect(JSON.parse(stdout)).toEqual({ parts: 4, answer: 2, isLonger: true, after: 4 });
 
         const out = join(folder, 'command.fold');
         const options = '--parts 4 --seed 3 --height 80 --flap-side alternate --quiet'.split(' ');

@@ -25,10 +25,14 @@ export interface PdfPage {
   /** Everything on the page, in the order in which it is painted. */
   paths: PdfPath[];
   texts: SheetText[];
+  /** Names of the layers that anything is in. */
+  layers: Set<string>;
 }
 
 export interface PdfFile {
   pages: PdfPage[];
+  /** Names of the layers, in the order in which readers list them. */
+  layers: string[];
   /** What the print dialogue is told. */
   scaling: unknown;
   title: unknown;
@@ -65,17 +69,23 @@ interface Glyph {
 
 /** The content of a page as it is told operator by operator. */
 class PageReader {
-  readonly paths: { path: PdfPath; mark: string }[] = [];
-  readonly texts: { text: SheetText; mark: string }[] = [];
+  readonly paths: { path: PdfPath; mark: string; layer: string }[] = [];
+  readonly texts: { text: SheetText; mark: string; layer: string }[] = [];
   private line = { width: 0, dash: [] as number[] };
   private colours = { stroke: '', fill: '' };
   private saved: (typeof this.line)[] = [];
-  private marks: string[] = [];
+  /** What encloses the present place: names, and layers. */
+  private marks: { mark?: string; layer?: string }[] = [];
   private size = 0;
   private matrix: number[] = [];
 
-  private get mark(): string {
-    return this.marks.at(-1) ?? '';
+  /** @param nameOf the name of a layer */
+  constructor(private readonly nameOf: (id: string) => string) {}
+
+  private get place(): { mark: string; layer: string } {
+    const inner = [...this.marks].reverse();
+    const mark = inner.find((mark) => mark.mark !== undefined)?.mark ?? '';
+    return { mark, layer: inner.find(({ layer }) => layer !== undefined)?.layer ?? '' };
   }
 
   read(operator: number, values: unknown[]): void {
@@ -107,7 +117,10 @@ class PageReader {
         this.path(values[0] as number, (values[1] as [ArrayLike<number>])[0]);
         break;
       case OPS.beginMarkedContent:
-        this.marks.push((values[0] as { name: string }).name);
+        this.marks.push({ mark: (values[0] as { name: string }).name });
+        break;
+      case OPS.beginMarkedContentProps:
+        this.marks.push({ layer: this.nameOf((values[1] as { id: string }).id) });
         break;
       case OPS.endMarkedContent:
         this.marks.pop();
@@ -130,7 +143,7 @@ class PageReader {
     for (const walk of walksOf(data)) {
       this.paths.push({
         path: { ...walk, ...this.line, paint, colour: this.colours[paint] },
-        mark: this.mark,
+        ...this.place,
       });
     }
   }
@@ -146,7 +159,7 @@ class PageReader {
       size: this.size,
       width,
     };
-    this.texts.push({ text, mark: this.mark });
+    this.texts.push({ text, ...this.place });
   }
 }
 
@@ -159,23 +172,24 @@ function pieceOf(reader: PageReader, name: string): PieceLines {
     valleys: [],
     guides: guides.map(({ path }): [Point, Point] => [path.points[0]!, path.points[1]!]),
     texts: reader.texts.filter((line) => line.mark === mark).map(({ text }) => text),
+    underlines: [],
   };
-  for (const { path } of reader.paths.filter((line) => line.mark === mark)) {
-    const { paint, dash, closed, points } = path;
-    if (paint === 'fill') continue;
-    if (dash.length === 0) {
-      if (!closed) throw new Error('a cut is not closed');
-      piece.cuts.push(points);
-    } else {
-      piece[dash.length === 2 ? 'mountains' : 'valleys'].push([points[0]!, points[1]!]);
-    }
+  for (const { path, layer } of reader.paths.filter((line) => line.mark === mark)) {
+    const { closed, points } = path;
+    const kind = ({ 'Mountain folds': 'mountains', 'Valley folds': 'valleys' } as const)[layer];
+    if (kind) piece[kind].push([points[0]!, points[1]!]);
+    // Boxes for letters that no font has are closed.
+    if (layer === 'Numbers' && !closed) piece.underlines.push([points[0]!, points[1]!]);
+    if (layer !== 'Cuts') continue;
+    if (!closed) throw new Error('a cut is not closed');
+    piece.cuts.push(points);
   }
   return piece;
 }
 
-async function readPage(page: PDFPageProxy): Promise<PdfPage> {
+async function readPage(page: PDFPageProxy, nameOf: (id: string) => string): Promise<PdfPage> {
   const { fnArray, argsArray } = await page.getOperatorList();
-  const reader = new PageReader();
+  const reader = new PageReader(nameOf);
   fnArray.forEach((operator, i) => reader.read(operator, (argsArray[i] ?? []) as unknown[]));
   const marks = new Set(reader.paths.map(({ mark }) => mark));
   const pieces = new Map<string, PieceLines>();
@@ -204,6 +218,7 @@ async function readPage(page: PDFPageProxy): Promise<PdfPage> {
     },
     paths: reader.paths.map(({ path }) => path),
     texts: reader.texts.map(({ text }) => text),
+    layers: new Set([...reader.paths, ...reader.texts].map(({ layer }) => layer)),
   };
 }
 
@@ -213,13 +228,16 @@ export async function readPdf(bytes: Uint8Array): Promise<PdfFile> {
   const document = await task.promise;
   const preferences: { PrintScaling?: unknown } | null = await document.getViewerPreferences();
   const { info } = await document.getMetadata();
+  const content = await document.getOptionalContentConfig();
+  const nameOf = (id: string): string => (content.getGroup(id) as { name: string }).name;
   const pages: PdfPage[] = [];
   for (let number = 1; number <= document.numPages; ++number) {
-    pages.push(await readPage(await document.getPage(number)));
+    pages.push(await readPage(await document.getPage(number), nameOf));
   }
   await task.destroy();
   return {
     pages,
+    layers: (content.getOrder() as string[] | null)?.map(nameOf) ?? [],
     scaling: preferences?.PrintScaling,
     title: (info as { Title?: unknown }).Title,
   };

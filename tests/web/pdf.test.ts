@@ -46,6 +46,19 @@ describe('writePdf', () => {
     expect(Math.min(...cut!.map(([, y]) => y))).toBeCloseTo(result.pieces[0]!.y, 3);
   });
 
+  it('has a layer for each kind of what it draws, and none that is empty', async () => {
+    const shaded = await written(flapResult(), { options: { style: 'blender' } });
+    expect(shaded.layers).toEqual(['Guide', 'Flaps', 'Valley folds', 'Numbers', 'Cuts']);
+    for (const { layers } of shaded.pages)
+      expect([...layers].sort()).toEqual([...shaded.layers].sort());
+    const { layers, pages } = await written(boxAndLidResult());
+    expect(layers).toEqual(['Guide', 'Mountain folds', 'Numbers', 'Cuts']);
+    const flat = boxAndLidResult();
+    flat.pieces[1]!.labels = [];
+    expect((await written(flat)).pages[1]!.layers).not.toContain('Numbers');
+    expect(pages[1]!.layers).toContain('Numbers');
+  });
+
   it('walks a slit there and back', async () => {
     const { pages } = await written(slitResult());
     const [cut] = pages[0]!.sheet.pieces.get('A')!.cuts;

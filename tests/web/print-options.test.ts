@@ -26,6 +26,18 @@ describe('print options', () => {
     expect(flaps).toBe('#e6e6e6');
   });
 
+  it('take lines for a machine in place of a style, and what differs from them', () => {
+    const { lines, flaps } = lookOf(
+      optionsOf(
+        ...['--machine', 'generic', '--style', 'blender', '--flap-colour', '#eeeeee'],
+        ...['--mountain-dash', '3,1', '--cut-width', '0.2'],
+      ),
+    );
+    expect(lines.cut).toEqual({ width: 0.2, colour: '#ff0000', dash: [] });
+    expect(lines.mountain).toEqual({ width: 0.1, colour: '#0000ff', dash: [3, 1] });
+    expect(flaps).toBe('none');
+  });
+
   it('take colours, solid folds and what rulers measure', () => {
     const options = optionsOf(
       ...['--valley-colour', '#C02020', '--valley-dash', 'solid', '--flap-colour', '#eeeeee'],
@@ -40,11 +52,21 @@ describe('print options', () => {
     });
   });
 
+  it('are true and false in programs', () => {
+    const switches = { assembly: true, legend: false, foldTicks: true, duplex: true };
+    const settings = changedSettings(defaultSettings(), switches);
+    expect(printOptions(settings)).toMatchObject(switches);
+    expect(() => changedSettings(defaultSettings(), { parts: true })).toThrow("'true' is not");
+  });
+
   it.each([
     [],
     ['--style', 'pepakura', '--cut-width', '0.4', '--mountain-dash', '2,1,0.5,1'],
     ['--valley-dash', 'solid', '--valley-colour', '#c02020', '--flap-colour', 'none'],
+    ['--machine', 'silhouette', '--dpi', '600', '--mountain-dash', '3,1'],
     ['--flap-colour', '#eeeeee', '--flat-fold', '12', '--fold-angles', 'on', '--legend', 'off'],
+    ['--assembly', 'on'],
+    ['--fold-ticks', 'on', '--duplex', 'on'],
   ])('can be written down and read again', (...args) => {
     const looks = optionsOf(...args);
     const again = changedSettings(defaultSettings(), lookOptions(looks));
@@ -59,6 +81,11 @@ describe('print options', () => {
     ['--measured', '50', 'is not two values with a comma between them, nor off'],
     ['--measured', '50,60', 'is not a number from 45 to 55, nor off'],
     ['--fold-angles', 'yes', 'is not on or off'],
+    ['--assembly', 'cover', 'is not on or off'],
+    ['--duplex', 'long', 'is not on or off'],
+    ['--fold-ticks', '3', 'is not on or off'],
+    ['--machine', 'laser', 'is not none or silhouette or cricut or generic'],
+    ['--dpi', '1201', 'is not a whole number from 72 to 1200'],
   ])('refuse %s %s', (name, value, sentence) => {
     expect(() => optionsOf(name, value)).toThrow(`option '${name}': '${value}' ${sentence}`);
   });

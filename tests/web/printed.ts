@@ -15,6 +15,12 @@ export function fontReader(loaded: string[] = []): (file: string) => Promise<Uin
   };
 }
 
+/** The renderer of PNG files, as it comes from its package. */
+export async function readRenderer(): Promise<Uint8Array> {
+  const file = '../../node_modules/@resvg/resvg-wasm/index_bg.wasm';
+  return new Uint8Array(await readFile(new URL(file, import.meta.url)));
+}
+
 export interface PrintWishes extends Partial<Omit<PrintInput, 'options' | 'result'>> {
   options?: Partial<PrintOptions>;
 }
@@ -29,6 +35,7 @@ export function printOf(
     title,
     margin,
     loadFont,
+    loadRenderer: readRenderer,
     options: { ...defaultPrint, ...options },
   });
 }

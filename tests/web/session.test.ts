@@ -10,6 +10,7 @@ import type { ModelFile } from '../../web/model/model-files.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
+import { readRenderer } from './printed.js';
 import { Dice, randomEdit } from './random-edits.js';
 import { schemaErrors } from './report-schema.js';
 import { isEngineBuilt, withThreads } from './thread-pool.js';
@@ -25,7 +26,7 @@ const fonts = new URL('../../dist/cli/fonts/', import.meta.url);
 const readFont = async (file: string): Promise<Uint8Array> => readFile(new URL(file, fonts));
 
 const door = (pool: Pool): ReturnType<typeof makeDoor> =>
-  makeDoor({ startPool: () => pool, loadFont: readFont });
+  makeDoor({ startPool: () => pool, loadFont: readFont, loadRenderer: readRenderer });
 
 async function withSession(
   work: (session: Session, pool: Pool) => Promise<void>,
@@ -278,7 +279,11 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
     }));
 
   it('asks for workers only when there is work for them', async () => {
-    const { open } = makeDoor({ startPool: () => null as never, loadFont: readFont });
+    const { open } = makeDoor({
+      startPool: () => null as never,
+      loadFont: readFont,
+      loadRenderer: readRenderer,
+    });
     let asked = 0;
     const session = await open(files, {
       pool: () => {

@@ -61,7 +61,9 @@ describe.skipIf(shared === null || !isBuilt)('written sheets', () => {
     expect(faults(swapped)).toMatch(/is no fold/);
     const nameless = changedBy((text) => text.replace(/<text.*<\/text>\n/g, ''));
     expect(faults(nameless)).toMatch(/id [-A-Z]+:\d+ is on one side only/);
-    const shifted = changedBy((text) => text.replace(/(?<=<g id="cut">\n.*d="M)[\d.]+/, '3'));
+    const bare = changedBy((text) => text.replace(/(<\/text>\n)<path [^>]*>\n/g, '$1'));
+    expect(faults(bare)).toMatch(/0 lines below \d+/);
+    const shifted = changedBy((text) => text.replace(/(?<=<g id="cut"[^>]*>\n.*d="M)[\d.]+/, '3'));
     expect(faults(shifted)).toMatch(/in the margin/);
 
     const mirroredPage = ({ width, pieces, ...page }: SheetFile): SheetFile => {

@@ -81,9 +81,44 @@ function checkCuts(sheet: SheetFile, margin: number): string[] {
   return faults;
 }
 
+/** Whether figures are another number when the paper is turned, written down by hand. */
+function isMisread(text: string): boolean {
+  const turned = [...text].reverse().map((figure) => '01xxxx9x86'[Number(figure)] ?? 'x');
+  return /^\d+$/.test(text) && /^[^0x][^x]*$/.test(turned.join('')) && turned.join('') !== text;
+}
+
+/** Whether a line runs below a text, along it, by at most a fifth of its size. */
+function isBelow([from, to]: [Point, Point], { at, angle, size }: SheetText): boolean {
+  const turn = (angle * Math.PI) / 180;
+  const middle: Point = [(from[0] + to[0]) / 2 - at[0], (from[1] + to[1]) / 2 - at[1]];
+  const along = middle[0] * Math.cos(turn) + middle[1] * Math.sin(turn);
+  const up = middle[1] * Math.cos(turn) - middle[0] * Math.sin(turn);
+  const slope = Math.atan2(to[1] - from[1], to[0] - from[0]) - turn;
+  return up < 0 && up > -size / 5 && Math.abs(along) < size / 5 && Math.abs(Math.sin(slope)) < 0.01;
+}
+
+/** Numbers that are others upside down have a line below them that nothing runs through; no others have. */
+function checkUnderlines(
+  letter: string,
+  { cuts, guides, mountains, texts, underlines, valleys }: PieceLines,
+): string[] {
+  const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
+  const faults = texts.flatMap((text) => {
+    const below = underlines.filter((underline) => isBelow(underline, text)).length;
+    return below === (isMisread(text.text) ? 1 : 0)
+      ? []
+      : [`${letter}: ${below} lines below ${text.text}`];
+  });
+  if (underlines.length !== texts.filter(({ text }) => isMisread(text)).length) {
+    faults.push(`${letter}: a line is below no number`);
+  }
+  const isMet = underlines.some((one) => lines.some((line) => cutThrough(line, one)));
+  return isMet ? [...faults, `${letter}: a line runs through one below a number`] : faults;
+}
+
 function checkTexts(letter: string, drawn: PieceLines): string[] {
   const { cuts, mountains, valleys, guides, texts } = drawn;
-  const faults: string[] = [];
+  const faults = checkUnderlines(letter, drawn);
   const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
   for (const text of texts) {
     const ink = inkOf(text);

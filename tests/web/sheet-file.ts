@@ -24,6 +24,8 @@ export interface PieceLines {
   /** Lines from numbers to edges, and marks for tape. */
   guides: [Point, Point][];
   texts: SheetText[];
+  /** Lines below numbers. */
+  underlines: [Point, Point][];
 }
 
 /** What helps to print: rulers, a box, the title and a legend. */
@@ -90,7 +92,14 @@ export function readSheet(source: string): SheetFile {
   const pieces = new Map<string, PieceLines>();
   const strips = new Map<string, PieceLines>();
   const linesOf = <Key>(all: Map<Key, PieceLines>, key: Key): PieceLines => {
-    const fresh: PieceLines = { cuts: [], mountains: [], valleys: [], guides: [], texts: [] };
+    const fresh: PieceLines = {
+      cuts: [],
+      mountains: [],
+      valleys: [],
+      guides: [],
+      texts: [],
+      underlines: [],
+    };
     if (!all.has(key)) all.set(key, fresh);
     return all.get(key)!;
   };
@@ -134,6 +143,11 @@ export function readSheet(source: string): SheetFile {
     const on = (angle * Math.PI) / 180;
     return { text, at: [x + half * Math.cos(on), y + half * Math.sin(on)], angle, size };
   };
+  for (const element of group('id')?.path ?? []) {
+    if (element['data-text']) continue;
+    const [from, to] = walks(element)[0]!.split('L').map(up);
+    pieceOf(element).underlines.push([from!, to!]);
+  }
   for (const element of group('id')?.text ?? []) pieceOf(element).texts.push(textOf(element));
   const guide: GuideLines = {
     strokes: (group('guide')?.path ?? [])

@@ -26,8 +26,8 @@ describe('frameSheet', () => {
   it.each(sheets)('keeps off the pieces and the edge: $name', ({ width, height }) => {
     for (const margin of margins) {
       const { from, to } = bandOf(margin);
-      const plan = { width, height, margin, title: 'A long name '.repeat(9), note: 'n'.repeat(30) };
-      const { strokes, texts } = frameSheet(plan);
+      const words = { title: 'A long name '.repeat(9), note: 'n'.repeat(30) };
+      const { strokes, texts } = frameSheet({ width, height, margin, ...words, ends: 0 });
       const boxes = [...strokes.map(({ points }) => points), ...texts.map(cornersOf)];
       for (const points of boxes) {
         const low = [0, 1].map((k) => Math.min(...points.map((point) => point[k]!)));
@@ -40,13 +40,17 @@ describe('frameSheet', () => {
       }
       expect(strokes.filter(({ closed }) => closed)).toHaveLength(1);
       expect(texts.filter(({ text }) => text === '50 mm')).toHaveLength(2);
+      expect(texts.map(({ text }) => text)).toEqual(
+        expect.arrayContaining(['this side', 'is outside']),
+      );
     }
   });
 
   it('has shorter rulers on small paper', () => {
-    const plan = { width: 90, height: 60, margin: 5, title: 'box', note: 'sheet 1 of 1' };
+    const plan = { width: 90, height: 60, margin: 5, title: 'box', note: 'sheet 1 of 1', ends: 0 };
     const { texts } = frameSheet(plan);
-    const words = ['40 mm', '30 mm', '5 mm', 'box', 'sheet 1 of 1'];
+    const mark = ['this side', 'is outside'];
+    const words = ['40 mm', '5 mm', '10 mm', ...mark, 'box', 'sheet 1 of 1'];
     expect(texts.map(({ text }) => text)).toEqual(words);
   });
 });

@@ -111,7 +111,7 @@ function unfolded(
   const off = (vertex: number): { along: number; away: Vector } => {
     const far = minus(at(vertex), at(u));
     const along = dot(far, edge) / length;
-    return { along, away: far.map((x, i) => x - (along * edge[i]!) / length) as Vector };
+    return { along, away: minus(far, edge.map((x) => (along * x) / length) as Vector) };
   };
   const corners = members.flatMap((face) => faces_vertices[face]!);
   const farthest = corners.reduce((best, w) =>

@@ -16,6 +16,8 @@ interface Path {
 
 interface Group {
   id: string;
+  'inkscape:groupmode': string;
+  'inkscape:label': string;
   path?: Path[];
   text?: { '#text': string; x: string; y: string; 'font-size': string; transform?: string }[];
 }
@@ -36,8 +38,12 @@ function parse(text: string): Drawing {
   return (parser.parse(text) as { svg: Drawing }).svg;
 }
 
+function findGroup(drawing: Drawing, id: string): Group | undefined {
+  return drawing.g.find((group) => group.id === id);
+}
+
 function groupOf(drawing: Drawing, id: string): Group {
-  return drawing.g.find((group) => group.id === id)!;
+  return findGroup(drawing, id)!;
 }
 
 /** The walks of a path made of absolute M, L and Z only. */
@@ -54,7 +60,7 @@ function walksOf(path: Path): number[][][] {
 }
 
 function walks(drawing: Drawing, id: string): number[][][] {
-  return (groupOf(drawing, id).path ?? []).flatMap(walksOf);
+  return (findGroup(drawing, id)?.path ?? []).flatMap(walksOf);
 }
 
 function areaOf(walk: number[][]): number {
@@ -89,17 +95,33 @@ describe('writeSvg', () => {
     const drawing = parse(text);
     expect([drawing.width, drawing.height]).toEqual(['210mm', '297mm']);
     expect(drawing.viewBox).toBe('0 0 210 297');
-    expect(drawing.g.map(({ id }) => id)).toEqual([
-      'texture',
-      'guide',
-      'flap',
-      'fold-mountain',
-      'fold-valley',
-      'id',
-      'cut',
-    ]);
+    expect(drawing.g.map(({ id }) => id)).toEqual(['guide', 'fold-mountain', 'id', 'cut']);
     // The ruler at the left edge is read from the side.
     expect(text.replace(/<text.*<\/text>/g, '')).not.toMatch(/transform|style|class/);
+  });
+
+  it('writes groups as layers of Inkscape, and none that is empty', async () => {
+    const results = [cubeResult(), slitResult(), flapResult()];
+    for (const style of ['foldwright', 'blender'] as const) {
+      for (const result of results) {
+        const text = await written(result, { style });
+        expect(text).toContain('xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"');
+        const { g } = parse(text);
+        for (const {
+          'inkscape:groupmode': mode,
+          'inkscape:label': label,
+          path,
+          text: lines,
+        } of g) {
+          expect(mode).toBe('layer');
+          expect(label).toMatch(/^[A-Z]/);
+          expect((path?.length ?? 0) + (lines?.length ?? 0)).toBeGreaterThan(0);
+        }
+        expect(new Set(g.map((group) => group['inkscape:label'])).size).toBe(g.length);
+      }
+    }
+    const shaded = parse(await written(flapResult(), { style: 'blender' }));
+    expect(shaded.g.map(({ id }) => id)).toEqual(['guide', 'flap', 'fold-valley', 'id', 'cut']);
   });
 
   it('cuts out exactly the area of the model', async () => {

@@ -1,6 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { FontSet } from '../../web/export/font-set.js';
-import { centredLine, shortened, widthAtMost } from '../../web/export/text-line.js';
+import {
+  capHeight,
+  centredLine,
+  isAmbiguous,
+  shortened,
+  underlineOf,
+  widthAtMost,
+} from '../../web/export/text-line.js';
 import { pieceLetter } from './piece-letter.js';
 import { fontReader } from './printed.js';
 
@@ -22,6 +29,58 @@ describe('centredLine', () => {
     const [x, y] = centredLine({ ...label, angle: 90 }).at;
     expect(x).toBeCloseTo(51.8, 9);
     expect(y).toBeCloseTo(40, 9);
+  });
+});
+
+describe('isAmbiguous', () => {
+  it('knows numbers that are others when they are turned', () => {
+    for (const text of ['6', '9', '66', '99', '68', '89', '16', '18', '81', '91', '106', '1061']) {
+      expect(isAmbiguous(text), text).toBe(true);
+    }
+  });
+
+  it('leaves those that stay the same, or are none', () => {
+    for (const text of ['1', '8', '11', '69', '96', '88', '101', '10', '60', '90', '680', '']) {
+      expect(isAmbiguous(text), text).toBe(false);
+    }
+    for (const text of ['2', '36', '97', 'A6', 'C:9', '9°', '66 mm', 'Six']) {
+      expect(isAmbiguous(text), text).toBe(false);
+    }
+  });
+
+  it('knows every number below 10,000 by writing it upside down', () => {
+    const turned = { 0: '0', 1: '1', 6: '9', 8: '8', 9: '6' } as Record<string, string>;
+    for (let number = 1; number < 10_000; ++number) {
+      const figures = [...String(number)].reverse().map((figure) => turned[figure] ?? ' ');
+      const other = Number(figures.join(''));
+      const isOther =
+        !figures.includes(' ') && String(other).length === figures.length && other !== number;
+      expect(isAmbiguous(String(number)), String(number)).toBe(isOther);
+    }
+  });
+});
+
+describe('underlined labels', () => {
+  const label = { text: '68', x: 50, y: 40, size: 5 };
+  const half = (5 * capHeight) / 2;
+
+  it('keep figures and line within the box of the label', () => {
+    const line = centredLine({ ...label, angle: 0 });
+    expect(line.underlined).toBe(true);
+    const { line: below, width } = underlineOf(line);
+    expect(line.at[1] + capHeight * line.size).toBeCloseTo(40 + half, 9);
+    expect(below[0][1] - width / 2).toBeCloseTo(40 - half, 9);
+    // A gap that is seen: as wide as the line.
+    expect(line.at[1] - (below[0][1] + width / 2)).toBeGreaterThan(width);
+    expect(below[0][0] + below[1][0]).toBeCloseTo(100, 9);
+    expect(below[1][0] - below[0][0]).toBeGreaterThan(line.size);
+    expect(below[1][0] - below[0][0]).toBeLessThan(widthAtMost('68', line.size));
+  });
+
+  it('have it to the right of a text that is read from the right', () => {
+    const { line: below, width } = underlineOf(centredLine({ ...label, angle: 90 }));
+    expect(below[0][0] + width / 2).toBeCloseTo(50 + half, 5);
+    expect(below[0][0]).toBeCloseTo(below[1][0], 9);
   });
 });
 

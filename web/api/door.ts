@@ -3,6 +3,7 @@ import type { TimedResult } from '../core/client.js';
 import type { Pool } from '../core/pool.js';
 import type { ExportFormat, WrittenFile } from '../export/formats.js';
 import type { FontLoader } from '../export/font-loader.js';
+import type { RendererLoader } from '../export/renderer-loader.js';
 import type { Report } from '../export/report.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { Options } from '../model/written-options.js';
@@ -18,6 +19,8 @@ export interface OpenOptions {
   pool?: Pool | (() => Pool);
   /** Gets fonts by the names of their files, where they are not beside the package's own. */
   loadFont?: FontLoader;
+  /** Gets the WASM that draws PNG files, where it is not beside the package's own. */
+  loadRenderer?: RendererLoader;
 }
 
 /** What came out of a model, ready to be written. */
@@ -43,6 +46,7 @@ export interface Door {
 export interface DoorOptions {
   startPool: () => Pool;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
 }
 
 type Workers = Pick<Surroundings, 'pool' | 'close'>;
@@ -57,15 +61,15 @@ function owned(start: () => Pool): Workers {
   return { pool: () => (pool ??= start()), close: () => pool?.close() };
 }
 
-export function makeDoor({ startPool, loadFont }: DoorOptions): Door {
+export function makeDoor({ startPool, ...loaders }: DoorOptions): Door {
   // Asynchronous, so that reading files of several kinds can become work.
   const open = async (
     files: ModelFiles,
-    { pool, loadFont: load = loadFont }: OpenOptions = {},
+    { pool, loadFont = loaders.loadFont, loadRenderer = loaders.loadRenderer }: OpenOptions = {},
   ): Promise<Session> => {
     if (files.length === 0) throw new TypeError('There is no file to open');
     const workers = pool ? lent(pool) : owned(startPool);
-    return Promise.resolve(new Session(files, { ...workers, loadFont: load }));
+    return Promise.resolve(new Session(files, { ...workers, loadFont, loadRenderer }));
   };
   const unfold: Door['unfold'] = async (files, options = {}, work = {}) => {
     const session = await open(files, work);

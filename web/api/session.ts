@@ -5,6 +5,7 @@ import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import { writeFiles } from '../export/files.js';
 import type { FontLoader } from '../export/font-loader.js';
+import type { RendererLoader } from '../export/renderer-loader.js';
 import type { ExportFormat, WrittenFile } from '../export/formats.js';
 import type { Print } from '../export/print.js';
 import { makeReport, type Report } from '../export/report.js';
@@ -39,6 +40,7 @@ export interface Surroundings {
   /** Gives the workers; is not asked before there is work for them. */
   pool: () => Pool;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
   /** Ends what was started for the session alone. */
   close?: () => void;
 }
@@ -174,8 +176,8 @@ export class Session {
   }
 
   /**
-   * Writes the nets: `pdf`, `svg` (a file for each sheet), `fold` or `glb` (the folding as an
-   * animation). With options that concern sheets, size or flaps they are laid out for this alone.
+   * Writes the nets: `pdf`, `svg`, `dxf` or `png` (a file for each sheet), `fold` or `glb` (the folding
+   * as an animation). With options that concern sheets, size or flaps they are laid out for this alone.
    */
   export(
     format: ExportFormat,
@@ -241,11 +243,12 @@ export class Session {
       ? before.result
       : await this.job(jobOf(wishes), startFrom(before.result, []), work);
     const { margin } = settings;
-    const { loadFont } = this.surroundings;
+    const { loadFont, loadRenderer } = this.surroundings;
     // Loaded when it is first asked for: who only edits does not draw.
     const { preparePrint } = await import('../export/print.js');
-    const look = { title: this.title, margin, options: printOf(wishes), loadFont };
-    return { state: { wishes, result }, print: await preparePrint({ result, ...look }) };
+    const look = { title: this.title, margin, options: printOf(wishes) };
+    const print = await preparePrint({ result, ...look, loadFont, loadRenderer });
+    return { state: { wishes, result }, print };
   }
 
   /** The state that a plan makes, or why the engine refuses. */

@@ -11,7 +11,8 @@ export class DownloadBar extends Panel {
 
   constructor(
     place: StudioPlace,
-    private readonly onFailure: (format: string) => void,
+    /** Called for a format that could not be written, with the reason if there is one to tell. */
+    private readonly onFailure: (format: string, reason: string | null) => void,
   ) {
     super(place);
     for (const button of this.bar.querySelectorAll('button')) {
@@ -29,13 +30,15 @@ export class DownloadBar extends Panel {
     const { writer } = this;
     const format = exportFormats.find((name) => name === button.dataset['format']);
     if (!writer || !format || button.getAttribute('aria-busy') === 'true') return;
+    const obstacle = writer.obstacle(format);
+    if (obstacle !== null) return this.onFailure(format.toUpperCase(), obstacle);
     button.setAttribute('aria-busy', 'true');
     try {
       const { name, content, mediaType } = await writer.file(format);
       saveFile(name, content, mediaType);
     } catch (error) {
       console.error(error);
-      this.onFailure(format.toUpperCase());
+      this.onFailure(format.toUpperCase(), null);
     } finally {
       button.removeAttribute('aria-busy');
     }

@@ -21,20 +21,22 @@ export interface ExportInput {
 const mediaTypes: Readonly<Record<ExportFormat, string>> = {
   pdf: 'application/pdf',
   svg: 'image/svg+xml',
+  dxf: 'image/vnd.dxf',
+  png: 'image/png',
   fold: 'application/json',
   glb: 'model/gltf-binary',
 };
 
-/** Writes the result in a format as one file: several sheets as SVG come as a zip archive. */
+/** Writes the result in a format as one file: several come as a zip archive. */
 export async function exportResult(
   format: ExportFormat,
   { result, name, print }: ExportInput,
 ): Promise<ExportedFile> {
-  if (format === 'svg' && print.sheets.length > 1) {
-    const { writeSvgZip } = await import('../export/svg-zip.js');
-    const content = writeSvgZip(print, `${name}.svg`);
-    return { name: `${name}-svg.zip`, content, mediaType: 'application/zip' };
+  const files = await writeFiles(format, { result, print, name: `${name}.${format}` });
+  const [file] = files;
+  if (files.length === 1) {
+    return { name: file!.name, content: file!.bytes, mediaType: mediaTypes[format] };
   }
-  const [file] = await writeFiles(format, { result, print, name: `${name}.${format}` });
-  return { name: file!.name, content: file!.bytes, mediaType: mediaTypes[format] };
+  const { zipped } = await import('../export/zip.js');
+  return { name: `${name}-${format}.zip`, content: zipped(files), mediaType: 'application/zip' };
 }

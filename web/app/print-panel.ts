@@ -1,11 +1,13 @@
-import { lookOf } from '../export/line-style.js';
+import { flapShade, lookOf } from '../export/line-style.js';
 import {
   defaultPrint,
+  dpiRange,
   isCalibrated,
   measurable,
   rulerLength,
   type LineKind,
   type LineStyle,
+  type Machine,
   type PrintOptions,
   type PrintStyle,
 } from '../model/print-options.js';
@@ -14,10 +16,18 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 const styles: readonly PrintStyle[] = ['foldwright', 'pepakura', 'blender'];
+const machines: readonly Machine[] = ['none', 'silhouette', 'cricut', 'generic'];
 const kinds: readonly LineKind[] = ['cut', 'mountain', 'valley'];
 
-/** Grey as light as a printer can make it evenly. */
-const shade = '#e6e6e6';
+const colourWords = 'Red lines are cut, blue and green ones scored, pink ones drawn with a pen.';
+
+/** What comes of each choice, in the words of the page. */
+const machineWords: Readonly<Record<Machine, string>> = {
+  none: 'For scissors or a knife.',
+  silhouette: `${colourWords} With the black marks the machine finds a printed sheet.`,
+  cricut: `${colourWords} Cricut’s program adds its own marks.`,
+  generic: colourWords,
+};
 
 /** Where the lengths that were measured are kept from one visit to the next. */
 const memory = 'foldwright.measured';
@@ -55,8 +65,15 @@ export class PrintPanel extends Panel {
   private readonly style = this.find('#print-style', HTMLSelectElement);
   private readonly shaded = this.find('#print-flaps', HTMLInputElement);
   private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
+  private readonly ticks = this.find('#print-ticks', HTMLInputElement);
+  private readonly backs = this.find('#print-backs', HTMLInputElement);
   private readonly angles = this.find('#print-angles', HTMLInputElement);
   private readonly legend = this.find('#print-legend', HTMLInputElement);
+  private readonly assembly = this.find('#print-assembly', HTMLInputElement);
+  private readonly machine = this.find('#print-machine', HTMLSelectElement);
+  private readonly machineHint = this.find('#machine-hint', HTMLElement);
+  private readonly dpi = this.find('#print-dpi', HTMLInputElement);
+  private readonly printer = this.find('#measured', HTMLFieldSetElement);
   private readonly across = this.find('#measured-across', HTMLInputElement);
   private readonly up = this.find('#measured-up', HTMLInputElement);
   private readonly state = this.find('#measured-state', HTMLElement);
@@ -72,6 +89,11 @@ export class PrintPanel extends Panel {
       sample: this.find(`#${kind}-sample`, SVGPathElement),
     });
     this.lines = { cut: fields('cut'), mountain: fields('mountain'), valley: fields('valley') };
+    Object.assign(this.dpi, {
+      min: dpiRange.least,
+      max: dpiRange.most,
+      placeholder: defaultPrint.dpi,
+    });
     this.flatFold.placeholder = String(defaultPrint.flatFold);
     for (const field of [this.across, this.up]) {
       Object.assign(field, {
@@ -84,8 +106,11 @@ export class PrintPanel extends Panel {
     this.fillIn();
     this.explain();
     this.style.addEventListener('input', () => this.fillIn());
-    this.panel.addEventListener('input', () => this.preview());
-    this.panel.addEventListener('change', () => this.onChange());
+    // What comes with a file stands where it is downloaded.
+    for (const place of [this.panel, this.assembly]) {
+      place.addEventListener('input', () => this.preview());
+      place.addEventListener('change', () => this.onChange());
+    }
     this.find('#measured-reset', HTMLButtonElement).addEventListener('click', () => {
       this.across.value = this.up.value = '';
       this.preview();
@@ -100,14 +125,20 @@ export class PrintPanel extends Panel {
   /** Shows how the sheets of a document look. */
   fill(settings: Settings): void {
     const options = printOptions(settings);
-    const look = lookOf(options);
+    // The fields are those of a print for scissors: lines for machines are as they are.
+    const look = lookOf({ ...options, machine: 'none' });
     this.style.value = options.style;
     for (const kind of kinds) this.fillLines(kind, look.lines[kind]);
     this.shaded.checked = look.flaps !== 'none';
     const { flatFold } = options;
     this.flatFold.value = flatFold === defaultPrint.flatFold ? '' : String(flatFold);
+    this.ticks.checked = options.foldTicks;
+    this.backs.checked = options.duplex;
     this.angles.checked = options.foldAngles;
     this.legend.checked = options.legend;
+    this.assembly.checked = options.assembly;
+    this.machine.value = options.machine;
+    this.dpi.value = options.dpi === defaultPrint.dpi ? '' : String(options.dpi);
     this.check();
     this.explain();
   }
@@ -122,12 +153,17 @@ export class PrintPanel extends Panel {
       style,
       lines,
       ...(this.shaded.checked !== (look.flaps !== 'none') && {
-        flaps: this.shaded.checked ? shade : 'none',
+        flaps: this.shaded.checked ? flapShade : 'none',
       }),
       flatFold: number(this.flatFold, defaultPrint.flatFold),
+      foldTicks: this.ticks.checked,
+      duplex: this.backs.checked,
       foldAngles: this.angles.checked,
       legend: this.legend.checked,
+      assembly: this.assembly.checked,
       measured: this.measured,
+      machine: machines.find((name) => name === this.machine.value) ?? defaultPrint.machine,
+      dpi: number(this.dpi, defaultPrint.dpi),
     };
   }
 
@@ -191,6 +227,17 @@ export class PrintPanel extends Panel {
       sample.setAttribute('stroke', lines[kind].colour);
       sample.setAttribute('stroke-width', String(lines[kind].width));
       sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
+    }
+    this.machineHint.textContent = machineWords[options.machine];
+    for (const field of [
+      this.style,
+      this.shaded,
+      this.ticks,
+      this.backs,
+      this.legend,
+      this.printer,
+    ]) {
+      field.disabled = options.machine !== 'none';
     }
     const isOn = isCalibrated(options);
     const words = options.measured.map((length) => {

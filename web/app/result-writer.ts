@@ -1,5 +1,6 @@
 import type { ExportFormat } from '../export/formats.js';
 import type { Notice } from '../model/job.js';
+import { pixelExcess } from '../model/pixels.js';
 import type { PrintOptions } from '../model/print-options.js';
 import type { ExportedFile } from './exporters.js';
 import type { WriterHost } from './writer-host.js';
@@ -19,9 +20,19 @@ export class ResultWriter {
     return this.host.order(this.source, { type: 'sheet', sheet, options: this.options });
   }
 
-  /** All sheets in a format: pdf, svg, fold or glb. */
+  /** The result in a format. */
   file(format: ExportFormat): Promise<ExportedFile> {
     return this.host.order(this.source, { type: 'file', format, options: this.options });
+  }
+
+  /** Why the result cannot be written in a format as it shall look, in a phrase; null if it can. */
+  obstacle(format: ExportFormat): string | null {
+    if (format !== 'png') return null;
+    const { dpi } = this.options;
+    const excess = this.source.result.sheets.map(({ width, height }) =>
+      pixelExcess(width, height, dpi),
+    );
+    return excess.find((phrase) => phrase !== null) ?? null;
   }
 
   /** What a person should know of the sheets beside what the job told. */

@@ -1,5 +1,6 @@
 import { makeDoor } from '../api/door.js';
 import { loadFont } from '../browser/font-loader.js';
+import { loadRenderer } from '../browser/renderer-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
@@ -91,8 +92,11 @@ export class Studio extends Panel {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
     });
-    const downloads = new DownloadBar(place, (format) =>
-      this.message.show(`The ${format} file could not be written`, 'The result is still here.'),
+    const downloads = new DownloadBar(place, (format, reason) =>
+      this.message.show(
+        `The ${format} file could not be written`,
+        reason === null ? 'The result is still here.' : sentence(reason),
+      ),
     );
     this.result = new ResultPanel(place, downloads, sheets, steps, (look) => this.restyle(look));
     const move = { undo: () => void this.undo(), redo: () => void this.redo() };
@@ -140,7 +144,7 @@ export class Studio extends Panel {
   }
 
   private makeStore(): Store {
-    const { open } = makeDoor({ startPool: this.engine, loadFont });
+    const { open } = makeDoor({ startPool: this.engine, loadFont, loadRenderer });
     return new Store({
       open: (files) => open(files, { pool: this.engine }),
       draw: (run) => this.draw(run),

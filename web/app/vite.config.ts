@@ -4,12 +4,15 @@ import { notePackages, precache, withoutNodeModules } from '../../scripts/make/v
 
 const path = (relative: string): string => fileURLToPath(new URL(relative, import.meta.url));
 
-// The WASM lies beside the page, where hosts and people expect it; its hash keeps caches right.
+// The WASM lies beside the page, where hosts and people expect it; its hash keeps caches right. That of
+// the renderer of pictures is called by no more than "index" in its package.
 const output = {
-  assetFileNames: ({ names }: { names: string[] }): string =>
-    names.some((name) => name.endsWith('.wasm'))
+  assetFileNames: ({ names }: { names: string[] }): string => {
+    if (names.includes('index_bg.wasm')) return 'resvg-[hash][extname]';
+    return names.some((name) => name.endsWith('.wasm'))
       ? '[name]-[hash][extname]'
-      : 'assets/[name]-[hash][extname]',
+      : 'assets/[name]-[hash][extname]';
+  },
 };
 
 const entries = {

@@ -7,6 +7,7 @@ import type { JobResult, Notice } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { exportResult, type ExportedFile } from './exporters.js';
 import { loadFont } from '../browser/font-loader.js';
+import { loadRenderer } from '../browser/renderer-loader.js';
 
 /** What is written. */
 export interface WriterSource {
@@ -21,7 +22,7 @@ export interface WriterSource {
 export type WriterOrder = { options: PrintOptions } & (
   | /** One sheet as SVG, counted from 0. Answered by its text. */
     { type: 'sheet'; sheet: number }
-    /** All sheets in a format: pdf, svg, fold or glb. Answered by an `ExportedFile`. */
+    /** All sheets in a format. Answered by an `ExportedFile`. */
   | { type: 'file'; format: ExportFormat }
   /** What a person should know of the sheets. Answered by a list of `Notice`. */
   | { type: 'notices' }
@@ -51,7 +52,8 @@ function printOf(written: Written, options: PrintOptions): Promise<Print> {
   const key = JSON.stringify(options);
   if (written.last?.key !== key) {
     const { result, name, margin } = written.source;
-    const print = preparePrint({ result, title: name, margin, options, loadFont });
+    const loaders = { loadFont, loadRenderer };
+    const print = preparePrint({ result, title: name, margin, options, ...loaders });
     written.last = { key, print };
   }
   return written.last.print;
@@ -61,7 +63,9 @@ type Content = string | ExportedFile | Notice[];
 
 async function write(written: Written | undefined, order: WriterOrder): Promise<Content> {
   if (!written) throw new Error('The result must come first');
-  const print = await printOf(written, order.options);
+  // The pages that tell how to build the model are in files only: a preview does not wait for them.
+  const assembly = order.type === 'file' && order.options.assembly;
+  const print = await printOf(written, { ...order.options, assembly });
   if (order.type === 'sheet') return writeSvg(print, order.sheet);
   if (order.type === 'notices') return print.notices;
   const { result, name } = written.source;

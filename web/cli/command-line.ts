@@ -1,8 +1,10 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
+import { exportFormats, type ExportFormat } from '../export/formats.js';
 import type { DocumentEdit } from '../model/document-edits.js';
-import { merge, readEditsFile, split } from './edits.js';
+import { merge, partName, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
+import { formatOf } from './formats.js';
 import { idleOptions } from './idle-options.js';
 import { laterRows, rows, sizings, type Row, type Settings } from '../model/options.js';
 import { BadValue, type Parser } from '../model/option-values.js';
@@ -27,6 +29,7 @@ export interface EditWords {
   split: string[];
   merge: string[];
   edits?: string;
+  name: string[];
 }
 
 interface Flags extends Partial<EditWords> {
@@ -67,13 +70,15 @@ function addRows(program: Command): void {
   }
 }
 
+const endings = exportFormats.map((format) => `.${format}`).join(', ');
+
 function describe(): Command {
   const program = new Command('foldwright')
     .description('Unfolds a 3D model into paper nets.')
     .argument('<model>', 'OBJ, STL, OFF or PLY file, or a folder with one and what belongs to it')
     .option(
       '-o, --output <file>',
-      'write a .fold, .svg, .pdf or .glb file; may be given several times',
+      `write a file, as its ending says: ${endings}; may be given several times`,
       collect,
     )
     .option('--report <file>', 'write a report as JSON')
@@ -84,6 +89,11 @@ function describe(): Command {
     )
     .option('--merge <a,b>', 'merge these parts that touch; may be given several times', collect)
     .option('--edits <file>', 'then make these edits, a JSON list')
+    .option(
+      '--name <part=text>',
+      'at last name this part, counted from 1; may be given several times',
+      collect,
+    )
     .option('--quiet', 'nothing on stderr but errors')
     .version(version)
     .exitOverride()
@@ -125,14 +135,27 @@ function settingsOf(program: Command): Settings {
   return settings;
 }
 
+/** @throws Exit for a part that is named twice */
+function namesOf(texts: readonly string[]): DocumentEdit[] {
+  const names = texts.map((text) => parsed('name', partName, text));
+  const twice = names.find(({ part }, i) => names.some((other, j) => j < i && other.part === part));
+  if (twice) throw usageError(`option '--name': part ${twice.part} has a name already`);
+  return names;
+}
+
+function formatsOf(outputs: readonly string[]): ExportFormat[] {
+  return outputs.flatMap((path) => formatOf(path) ?? []);
+}
+
 /** Splits and merges go by the parts of one result, and so are one step. */
-function stepsOf({ split: splits, merge: merges, edits }: EditWords): Commands['edits'] {
+function stepsOf({ split: splits, merge: merges, edits, name }: EditWords): Commands['edits'] {
   const together = [
     ...splits.map((text) => parsed('split', split, text)),
     ...merges.map((text) => parsed('merge', merge, text)),
   ];
   const listed = edits === undefined ? [] : readEditsFile(edits);
-  return [...(together.length > 0 ? [together] : []), ...listed.map((edit) => [edit])];
+  const single = [...listed, ...namesOf(name)];
+  return [...(together.length > 0 ? [together] : []), ...single.map((edit) => [edit])];
 }
 
 /**
@@ -150,8 +173,8 @@ export function parseCommandLine(args: string[]): Commands {
   }
   refuseLater(program);
   const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
-  const { split: splits = [], merge: merges = [], edits } = words;
-  const editWords = { split: splits, merge: merges, ...(edits !== undefined && { edits }) };
+  const { split: splits = [], merge: merges = [], edits, name = [] } = words;
+  const editWords = { split: splits, merge: merges, ...(edits !== undefined && { edits }), name };
   const settings = settingsOf(program);
   return {
     model: program.args[0]!,
@@ -159,7 +182,7 @@ export function parseCommandLine(args: string[]): Commands {
     report: report ?? null,
     quiet,
     settings,
-    idle: idleOptions(givenRows(program), settings),
+    idle: idleOptions(givenRows(program), settings, formatsOf(output)),
     edits: stepsOf(editWords),
     editWords,
   };

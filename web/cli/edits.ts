@@ -20,6 +20,18 @@ export function merge(text: string): DocumentEdit {
   return { kind: 'merge', parts };
 }
 
+/** PART=TEXT; what a text may be, the engine knows. */
+export function partName(text: string): Extract<DocumentEdit, { kind: 'name' }> {
+  const [, part, name] = /^([^=]*)=(.+)$/s.exec(text) ?? [];
+  if (part === undefined || name === undefined) throw new BadValue('is not PART=TEXT');
+  try {
+    return { kind: 'name', part: anyPart(part), text: name };
+  } catch (error) {
+    if (!(error instanceof BadValue)) throw error;
+    throw new BadValue(`names no part: '${part}' ${error.message}`);
+  }
+}
+
 /**
  * A file with a list of edits, as JSON.
  * @throws Exit if it cannot be read, or holds anything else

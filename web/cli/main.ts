@@ -8,6 +8,7 @@ import { nodePool } from '../core/node-pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import type { DocumentEdit } from '../model/document-edits.js';
 import type { ModelFiles } from '../model/model-files.js';
 import { leftOut } from '../model/left-out.js';
 import { parseCommandLine, type Commands } from './command-line.js';
@@ -22,8 +23,8 @@ import { summarize } from './summary.js';
 import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
 
 /** Everything about the outputs that can be wrong before the work has begun. */
-function checkOutputs({ model, outputs, report }: Commands): void {
-  outputs.forEach(checkFormat);
+function checkOutputs({ model, outputs, report, settings }: Commands): void {
+  for (const path of outputs) checkFormat(path, settings);
   const paths = report === null ? outputs : [...outputs, report];
   const taken = new Set([resolve(model)]);
   for (const path of paths) {
@@ -33,13 +34,19 @@ function checkOutputs({ model, outputs, report }: Commands): void {
   paths.forEach(checkWritable);
 }
 
+/** Which of several steps it is. */
+function placeOf(step: readonly DocumentEdit[], index: number, count: number): string {
+  const [first] = step;
+  if (first?.kind === 'name') return `the name '${first.text}': `;
+  return count > 1 ? `edit ${index + 1}: ` : '';
+}
+
 /** Makes the edits that were asked for, in their order; refused ones end the program. */
 async function edit(session: Session, { edits }: Commands): Promise<void> {
   for (const [index, step] of edits.entries()) {
     const made = await session.apply(step);
     if (made.ok) continue;
-    const place = edits.length > 1 ? `edit ${index + 1}: ` : '';
-    throw usageError(`${place}${made.params.text}`);
+    throw usageError(`${placeOf(step, index, edits.length)}${made.params.text}`);
   }
 }
 

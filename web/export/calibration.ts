@@ -1,10 +1,12 @@
-import { rulerLength, type PrintOptions } from '../model/print-options.js';
+import { isCalibrated, rulerLength, type PrintOptions } from '../model/print-options.js';
 import type { Point } from './point.js';
 import type { SheetDrawing } from './sheet-drawing.js';
 import type { TextLine } from './text-line.js';
 
 /** By how much lengths are drawn longer than they shall be on paper, across and up. */
-export function corrections({ measured }: PrintOptions): [across: number, up: number] {
+export function corrections(options: PrintOptions): [across: number, up: number] {
+  if (!isCalibrated(options)) return [1, 1];
+  const { measured } = options;
   return [rulerLength / measured[0], rulerLength / measured[1]];
 }
 

@@ -1,5 +1,5 @@
 /** Formats in which results are written. */
-export const exportFormats = ['fold', 'svg', 'pdf', 'glb'] as const;
+export const exportFormats = ['fold', 'svg', 'pdf', 'dxf', 'png', 'glb'] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 
 /** A file, not yet anywhere. */

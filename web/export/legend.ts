@@ -1,4 +1,5 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
+import type { PrintOptions } from '../model/print-options.js';
 import { bandOf, type SheetFrame, type Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
@@ -49,7 +50,7 @@ function flapSample(): Stroke[] {
   ];
 }
 
-function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
+function entriesFor(pieces: readonly PieceDrawing[], foldTicks: boolean): Entry[] {
   const texts = pieces.flatMap((piece) => piece.texts.map(({ text }) => text));
   const some = (test: (piece: PieceDrawing) => boolean): boolean => pieces.some(test);
   const line = (kind: 'cut' | 'mountain' | 'valley', text: string): Entry => {
@@ -57,15 +58,22 @@ function entriesFor(pieces: readonly PieceDrawing[]): Entry[] {
   };
   const words = (text: string): Entry => ({ sample: [], text });
   const hasIds = texts.some((text) => /^\d+$/.test(text));
+  const hasPairs = texts.some((text) => /^(?:[A-Z]+|.*:)\d+$/.test(text));
   return [
     line('cut', 'cut'),
     ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', 'mountain fold')] : []),
     ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', 'valley fold')] : []),
+    ...(foldTicks && some(({ mountains, valleys }) => mountains.length + valleys.length > 0)
+      ? [words('fold from mark to mark')]
+      : []),
     ...(some(({ flaps }) => flaps.length > 0)
       ? [{ sample: flapSample(), text: 'flap for glue' }]
       : []),
     ...(hasIds ? [words('12: joins the other 12')] : []),
-    ...(texts.some((text) => text.includes(':')) ? [words('C:12: joins 12 of piece C')] : []),
+    ...(some((piece) => piece.texts.some(({ underlined }) => underlined))
+      ? [words('number with a line: the line is below')]
+      : []),
+    ...(hasPairs ? [words('C3 on piece A: joins A3 on piece C')] : []),
     ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
     ...(some(({ letter }) => letter.startsWith('strip-'))
       ? [words('strip A-C:3: behind edge C3 of A')]
@@ -156,8 +164,12 @@ function inUpperMargin(
 export function placeLegend(
   sheets: readonly SheetDrawing[],
   margin: number,
+  { foldTicks }: Pick<PrintOptions, 'foldTicks'>,
 ): { sheet: number; legend: SheetFrame } | null {
-  const entries = entriesFor(sheets.flatMap(({ pieces }) => pieces));
+  const entries = entriesFor(
+    sheets.flatMap(({ pieces }) => pieces),
+    foldTicks,
+  );
   for (const [sheet, drawing] of sheets.entries()) {
     const legend =
       onFreeSpace(drawing, entries, margin) ??

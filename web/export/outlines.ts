@@ -93,3 +93,32 @@ export function outlinesOf(
     }),
   }));
 }
+
+/** Straight pieces of a curve: letters are a few mm high, so they stray by some micrometres. */
+const piecesOfCurve = 4;
+
+/** The point at `time` of a Bezier curve, by de Casteljau. */
+function onCurve(points: readonly Point[], time: number): Point {
+  let left = points;
+  while (left.length > 1) {
+    left = left.slice(1).map(([x, y], i): Point => {
+      const [u, v] = left[i]!;
+      return [u + (x - u) * time, v + (y - v) * time];
+    });
+  }
+  return left[0]!;
+}
+
+/** Outlines as closed walks of straight lines, for formats without curves. */
+export function walksOf(steps: readonly OutlineStep[]): Point[][] {
+  const walks: Point[][] = [];
+  for (const { command, points } of steps) {
+    if (command === 'M') walks.push([points[0]!]);
+    const walk = walks.at(-1)!;
+    if (command === 'L') walk.push(points[0]!);
+    if (command !== 'Q' && command !== 'C') continue;
+    const curve = [walk.at(-1)!, ...points];
+    for (let i = 1; i <= piecesOfCurve; ++i) walk.push(onCurve(curve, i / piecesOfCurve));
+  }
+  return walks;
+}

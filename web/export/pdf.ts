@@ -2,13 +2,18 @@ import {
   beginMarkedContent,
   beginText,
   closePath,
+  Duplex,
   endMarkedContent,
   endText,
   fill,
+  fillAndStroke,
   lineTo,
   moveTo,
   PDFDocument,
+  PDFName,
   popGraphicsState,
+  PDFOperator,
+  PDFOperatorNames,
   PrintScaling,
   pushGraphicsState,
   rgb,
@@ -22,18 +27,22 @@ import {
   setTextMatrix,
   showText,
   stroke,
-  type PDFOperator,
   type PDFPage,
 } from 'pdf-lib';
 import type { LineStyle } from '../model/print-options.js';
-import { FontSet } from './font-set.js';
-import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import type { FontSet } from './font-set.js';
+import type { Layer } from './layers.js';
+import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
+import { outlinesOf, walksOf } from './outlines.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
+import { inPairs } from './back-page.js';
 import { PdfFonts } from './pdf-fonts.js';
+import { PdfLayers } from './pdf-layers.js';
+import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
-import { textsOf, type Print } from './print.js';
-import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
-import { directionOf, type TextLine } from './text-line.js';
+import { fontsOf, type Print } from './print.js';
+import type { PieceDrawing, RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
+import { directionOf, underlineOf, type TextLine } from './text-line.js';
 
 /** A length in points; a ten-thousandth of a point is far below what any printer resolves. */
 function points(millimetres: number): number {
@@ -45,6 +54,8 @@ function colour(hex: string): ReturnType<typeof rgb> {
   return rgb(channel(1), channel(3), channel(5));
 }
 
+const black = '#000000';
+
 function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
   const steps = walk.map(([x, y], i) => (i === 0 ? moveTo : lineTo)(points(x), points(y)));
   return closed ? [...steps, closePath()] : steps;
@@ -52,41 +63,67 @@ function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
 
 /** Writes one sheet on its page. */
 class PageWriter {
+  private readonly operators: PDFOperator[] = [];
+
   constructor(
     private readonly page: PDFPage,
     private readonly look: Look,
-    private readonly fonts: PdfFonts,
+    /** Of texts as text, or of those whose outlines a pen draws. */
+    private readonly fonts: PdfFonts | FontSet,
+    private readonly layers: PdfLayers,
   ) {}
 
-  private lines(style: LineStyle, walks: readonly Point[][], closed: boolean): void {
+  /** One by one: a large sheet has more than a call takes arguments. */
+  private add(operators: readonly PDFOperator[]): void {
+    for (const operator of operators) this.operators.push(operator);
+  }
+
+  /** @param isSharp whether lines end where they end, and have corners; else both are rounded */
+  private lines(
+    style: LineStyle,
+    walks: readonly Point[][],
+    closed: boolean,
+    isSharp = false,
+  ): void {
     if (walks.length === 0) return;
-    this.page.pushOperators(
+    this.add([
       pushGraphicsState(),
       setStrokingColor(colour(style.colour)),
       setLineWidth(points(style.width)),
-      setLineJoin(1),
-      setLineCap(style.dash.length > 0 ? 0 : 1),
+      setLineJoin(isSharp ? 0 : 1),
+      setLineCap(isSharp || style.dash.length > 0 ? 0 : 1),
       setDashPattern(style.dash.map(points), 0),
       ...walks.flatMap((walk) => [...path(walk, closed), stroke()]),
       popGraphicsState(),
-    );
+    ]);
   }
 
   private areas(hex: string, walks: readonly Point[][]): void {
     if (hex === 'none' || walks.length === 0) return;
-    this.page.pushOperators(
+    this.add([
       pushGraphicsState(),
       setFillingColor(colour(hex)),
       ...walks.flatMap((walk) => [...path(walk, true), fill()]),
       popGraphicsState(),
-    );
+    ]);
+  }
+
+  private text(line: TextLine): void {
+    const { fonts } = this;
+    const isPrinted = fonts instanceof PdfFonts;
+    if (isPrinted) this.printed(line, fonts);
+    else this.lines(penStyle(this.look), walksOf(outlinesOf(line, fonts)), true);
+    if (!line.underlined) return;
+    const { line: segment, width } = underlineOf(line);
+    const style = isPrinted ? { width, colour: this.look.text, dash: [] } : penStyle(this.look);
+    this.lines(style, [segment], false);
   }
 
   /** Runs of letters from each font in turn, and boxes for those that none has. */
-  private text({ text, at, anchor, angle, size }: TextLine): void {
+  private printed({ text, at, anchor, angle, size }: TextLine, fonts: PdfFonts): void {
     const [cosine, sine] = directionOf(angle);
-    const runs = this.fonts.runs(text);
-    const width = runs.reduce((sum, run) => sum + this.fonts.width(run), 0);
+    const runs = fonts.runs(text);
+    const width = runs.reduce((sum, run) => sum + fonts.width(run), 0);
     let along = anchor === 'middle' ? -width / 2 : 0;
     const on = (x: number, y: number): Point => [
       at[0] + size * (x * cosine - y * sine),
@@ -99,15 +136,15 @@ class PageWriter {
         continue;
       }
       const [x, y] = on(along, 0);
-      this.page.pushOperators(
+      this.add([
         beginText(),
         setFillingColor(colour(this.look.text)),
-        setFontAndSize(this.fonts.key(this.page, run.slice), points(size)),
+        setFontAndSize(fonts.key(this.page, run.slice), points(size)),
         setTextMatrix(cosine, sine, -sine, cosine, points(x), points(y)),
-        showText(this.fonts.font(run.slice).encodeText(run.letters)),
+        showText(fonts.font(run.slice).encodeText(run.letters)),
         endText(),
-      );
-      along += this.fonts.width(run);
+      ]);
+      along += fonts.width(run);
     }
   }
 
@@ -125,52 +162,111 @@ class PageWriter {
 
   private piece(piece: PieceDrawing): void {
     const { cut, mountain, valley } = this.look.lines;
-    this.areas(this.look.flaps, piece.flaps);
-    this.lines(mountain, piece.mountains, false);
-    this.lines(valley, piece.valleys, false);
-    for (const text of piece.texts) this.text(text);
-    this.lines(cut, piece.cuts, true);
-  }
-
-  /** What belongs together is marked with a name, as the SVG's groups and pieces are. */
-  private marked(name: string, draw: () => void): void {
-    this.page.pushOperators(beginMarkedContent(name));
-    draw();
-    this.page.pushOperators(endMarkedContent());
-  }
-
-  write({ pieces, frame }: SheetDrawing): void {
-    this.marked('guide', () => {
-      for (const { points: walk, closed, sample } of frame.strokes) {
-        if (sample === 'flap') this.areas(this.look.flaps, [walk]);
-        else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
-      }
-      for (const text of frame.texts) this.text(text);
+    this.layer('flap', () => this.areas(this.look.flaps, piece.flaps));
+    this.layer('fold-mountain', () => this.lines(mountain, piece.mountains, false));
+    this.layer('fold-valley', () => this.lines(valley, piece.valleys, false));
+    this.layer('id', () => {
+      for (const text of piece.texts) this.text(text);
     });
+    this.layer('cut', () => this.lines(cut, piece.cuts, true));
+  }
+
+  /** Encloses what is drawn, if anything is. */
+  private enclosed(begin: () => PDFOperator, draw: () => void): void {
+    const start = this.operators.length;
+    draw();
+    if (this.operators.length === start) return;
+    this.operators.splice(start, 0, begin());
+    this.operators.push(endMarkedContent());
+  }
+
+  /** What belongs together is marked with a name, as the SVG's pieces are. */
+  private marked(name: string, draw: () => void): void {
+    this.enclosed(() => beginMarkedContent(name), draw);
+  }
+
+  private layer(layer: Layer, draw: () => void): void {
+    const begin = (): PDFOperator =>
+      PDFOperator.of(PDFOperatorNames.BeginMarkedContentSequence, [
+        PDFName.of('OC'),
+        this.layers.key(this.page, layer),
+      ]);
+    this.enclosed(begin, draw);
+  }
+
+  private registration({ square, corners, width }: RegistrationMarks): void {
+    this.areas(black, [square]);
+    this.lines({ width, colour: black, dash: [] }, corners, false, true);
+  }
+
+  /** Areas in one go, or thin white lines would show between neighbours. */
+  private picture(shape: PictureShape): void {
+    if (shape.kind === 'line') {
+      this.lines(shape.style, shape.walks, shape.closed);
+      return;
+    }
+    this.add([
+      pushGraphicsState(),
+      setFillingColor(colour(shape.colour)),
+      setStrokingColor(colour(shape.colour)),
+      setLineWidth(points(edgeStyle(shape.colour).width)),
+      setLineJoin(1),
+      ...shape.walks.flatMap((walk) => path(walk, true)),
+      fillAndStroke(),
+      popGraphicsState(),
+    ]);
+  }
+
+  write({ pieces, frame, picture = [], registration }: SheetDrawing): void {
+    this.marked('picture', () =>
+      this.layer('guide', () => {
+        for (const shape of picture) this.picture(shape);
+      }),
+    );
+    if (registration) this.layer('registration', () => this.registration(registration));
+    this.marked('guide', () =>
+      this.layer('guide', () => {
+        for (const { points: walk, closed, sample } of frame.strokes) {
+          if (sample === 'flap') this.areas(this.look.flaps, [walk]);
+          else this.lines(sample ? this.look.lines[sample] : guideStyle(this.look), [walk], closed);
+        }
+        for (const text of frame.texts) this.text(text);
+      }),
+    );
     for (const piece of pieces) {
-      this.marked(`guide-${piece.letter}`, () => {
-        this.lines(leaderStyle(this.look), piece.guides, false);
-      });
+      this.marked(`guide-${piece.letter}`, () =>
+        this.layer('guide', () => this.lines(leaderStyle(this.look), piece.guides, false)),
+      );
       this.marked(`piece-${piece.letter}`, () => this.piece(piece));
     }
+    for (const operator of this.operators) this.page.pushOperators(operator);
   }
 }
 
 /**
- * All sheets as one vector PDF at true size, a page for each, with scaling switched off in the
- * print dialogue, and of each font the letters that are used. The same print gives the same bytes.
+ * Sheets as one vector PDF at true size, a page for each, with scaling switched off in the print
+ * dialogue, and of each font the letters that are used; by default all sheets, and before them the pages
+ * that tell how to build the model, and behind each its back, if they were asked for. What the SVG has as groups are layers. The
+ * same print gives the same bytes.
  */
-export async function writePdf(print: Print): Promise<Uint8Array> {
-  const { title, look, sheets, loadFont } = print;
+export async function writePdf(
+  print: Print,
+  sheets: readonly SheetDrawing[] = inPairs(print.pages, print.sheets, print.backs),
+): Promise<Uint8Array> {
+  const { title, look, machine } = print;
   const document = await PDFDocument.create({ updateMetadata: false });
-  const set = print.fonts ?? (await FontSet.load(textsOf(sheets), loadFont));
-  const fonts = await PdfFonts.embed(document, set);
+  const set = await fontsOf(print);
+  const fonts = machine === 'none' ? await PdfFonts.embed(document, set) : set;
+  const layers = new PdfLayers(document);
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
-  document.catalog.getOrCreateViewerPreferences().setPrintScaling(PrintScaling.None);
+  const preferences = document.catalog.getOrCreateViewerPreferences();
+  preferences.setPrintScaling(PrintScaling.None);
+  if (print.backs.length > 0) preferences.setDuplex(Duplex.DuplexFlipLongEdge);
   for (const sheet of sheets) {
     const page = document.addPage([points(sheet.width), points(sheet.height)]);
-    new PageWriter(page, look, fonts).write(sheet);
+    new PageWriter(page, look, fonts, layers).write(sheet);
   }
+  layers.list();
   return document.save();
 }

@@ -1,11 +1,21 @@
 import type { JobResult, Notice } from '../model/job.js';
-import { isCalibrated, type PrintOptions } from '../model/print-options.js';
+import {
+  isCalibrated,
+  printsBacks,
+  type Machine,
+  type PrintOptions,
+} from '../model/print-options.js';
+import { alignmentCrosses, crossRoom } from './alignment-cross.js';
+import { backOf } from './back-page.js';
 import { calibrated, corrections, overrun } from './calibration.js';
+import { withFoldTicks } from './fold-ticks.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
+import type { RendererLoader } from './renderer-loader.js';
 import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
+import { forMachine, machineNotices } from './machine.js';
 import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
 
@@ -18,16 +28,27 @@ export interface PrintInput {
   margin: number;
   options: PrintOptions;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
 }
 
 /** All sheets of a job, ready to be written in any format. */
 export interface Print {
   title: string;
   look: Look;
+  machine: Machine;
+  /** Pixels to the inch of pictures. */
+  dpi: number;
   sheets: SheetDrawing[];
-  /** Null while all texts are in letters that every reader of files has. */
+  /** One for each sheet if they are printed on both sides, else none. */
+  backs: SheetDrawing[];
+  /** Those that tell how to build the model, if they were asked for: the cover first. */
+  pages: SheetDrawing[];
+  /** Of those: they are for people, whoever cuts the sheets. */
+  pageLook: Look;
+  /** Null while all texts are in letters that every reader of files has, and are printed as text. */
   fonts: FontSet | null;
   loadFont: FontLoader;
+  loadRenderer: RendererLoader;
   /** What a person should know of the sheets beside what the job told. */
   notices: Notice[];
 }
@@ -58,13 +79,12 @@ function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notic
   return notices;
 }
 
-/** The fonts for letters that not every reader has; null where there are none, or none came. */
+/** The fonts of texts that become outlines; null if they did not come. */
 async function loadFonts(
   texts: string[],
   loadFont: FontLoader,
   notices: Notice[],
 ): Promise<FontSet | null> {
-  if (texts.every(isPlain)) return null;
   const { FontSet } = await import('./font-set.js');
   try {
     const fonts = await FontSet.load(texts, loadFont);
@@ -79,42 +99,110 @@ async function loadFonts(
   }
 }
 
-/** The sheets as they shall be on paper, and whether a legend that was asked for is on one of them. */
-function drawSheets({ result, title, margin, options }: PrintInput): {
-  sheets: SheetDrawing[];
-  lacksLegend: boolean;
-} {
+/** The sheets without their legend, their folds as lines. */
+function drawFronts({ result, title, margin, options }: PrintInput): SheetDrawing[] {
   const count = result.sheets.length;
-  const sheets = result.sheets.map(({ width, height }, sheet): SheetDrawing => {
+  const isTwoSided = printsBacks(options);
+  return result.sheets.map(({ width, height }, sheet): SheetDrawing => {
     const note = noteOf(sheet, count, options);
-    return {
-      width,
-      height,
-      pieces: drawPieces(result, sheet, options),
-      frame: frameSheet({ width, height, margin, title: cleaned(title), note }),
-    };
+    const ends = isTwoSided ? crossRoom : 0;
+    const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends });
+    if (isTwoSided) frame.strokes.push(...alignmentCrosses(width, height, margin));
+    return { width, height, pieces: drawPieces(result, sheet, options), frame };
   });
-  if (!options.legend) return { sheets, lacksLegend: false };
-  const found = placeLegend(sheets, margin);
-  if (!found) return { sheets, lacksLegend: true };
+}
+
+function drawBacks(fronts: readonly SheetDrawing[], input: PrintInput): SheetDrawing[] {
+  const { margin, options } = input;
+  if (!printsBacks(options)) return [];
+  const [title, count] = [cleaned(input.title), fronts.length];
+  return fronts.map((sheet, i) => backOf({ sheet, number: i + 1, count, margin, title }));
+}
+
+/** Adds a legend, if it was asked for and one of the sheets has room; tells whether one is lacking. */
+function addLegend(sheets: readonly SheetDrawing[], { margin, options }: PrintInput): boolean {
+  if (!options.legend || options.machine !== 'none') return false;
+  const found = placeLegend(sheets, margin, options);
+  if (!found) return true;
   const { strokes, texts } = sheets[found.sheet]!.frame;
   sheets[found.sheet]!.frame = {
     strokes: [...strokes, ...found.legend.strokes],
     texts: [...texts, ...found.legend.texts],
   };
-  return { sheets, lacksLegend: false };
+  return false;
+}
+
+/** A sheet as it goes to whoever cuts it. */
+function finished(sheet: SheetDrawing, options: PrintOptions): SheetDrawing {
+  const { foldTicks, machine } = options;
+  if (machine !== 'none') return forMachine(sheet, machine);
+  const pieces = foldTicks ? sheet.pieces.map(withFoldTicks) : sheet.pieces;
+  return calibrated({ ...sheet, pieces }, corrections(options));
+}
+
+const pageLookOf = (options: PrintOptions): Look => lookOf({ ...options, machine: 'none' });
+
+/** The pages that tell how to build the model. No printer's scale is corrected: nothing is measured there. */
+async function drawPages({ margin, options, result, title }: PrintInput): Promise<SheetDrawing[]> {
+  if (!options.assembly) return [];
+  const { assemblyPages } = await import('./assembly-pages.js');
+  return assemblyPages({
+    margin,
+    options,
+    result,
+    title: cleaned(title),
+    look: pageLookOf(options),
+  });
 }
 
 /**
- * Draws all sheets. Fonts are loaded only for letters that not every reader has; whatever no font
- * has is drawn as a box and told in the notices, and so is it when fonts do not come.
+ * Draws all sheets. Fonts are loaded only for letters that not every reader has, and for machines;
+ * whatever no font has is drawn as a box and told in the notices, and so is it when fonts do not come.
  */
 export async function preparePrint(input: PrintInput): Promise<Print> {
-  const { options, loadFont } = input;
-  const { sheets: drawn, lacksLegend } = drawSheets(input);
-  const factors = corrections(options);
-  const sheets = drawn.map((sheet) => calibrated(sheet, factors));
-  const notices = noticesOf(sheets, lacksLegend);
-  const fonts = await loadFonts(textsOf(sheets), loadFont, notices);
-  return { title: cleaned(input.title), look: lookOf(options), sheets, fonts, loadFont, notices };
+  const { options, loadFont, loadRenderer } = input;
+  const { machine, dpi } = options;
+  const fronts = drawFronts(input);
+  const lacksLegend = addLegend(fronts, input);
+  const sheets = fronts.map((sheet) => finished(sheet, options));
+  const backs = drawBacks(fronts, input).map((back) => calibrated(back, corrections(options)));
+  const notices = [...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
+  const pages = await drawPages(input);
+  const texts = textsOf([...pages, ...sheets, ...backs]);
+  const isText = machine === 'none' && texts.every(isPlain);
+  const fonts = isText ? null : await loadFonts(texts, loadFont, notices);
+  return {
+    title: cleaned(input.title),
+    look: lookOf(options),
+    machine,
+    dpi,
+    sheets,
+    backs,
+    pages,
+    pageLook: pageLookOf(options),
+    fonts,
+    loadFont,
+    loadRenderer,
+    notices,
+  };
+}
+
+/** The pages that tell how to build the model as sheets of their own. */
+export function pagesOf(print: Print): Print {
+  return {
+    ...print,
+    look: print.pageLook,
+    machine: 'none',
+    sheets: print.pages,
+    backs: [],
+    pages: [],
+  };
+}
+
+/** All fonts that the texts need, for formats that have none of their own. */
+export async function fontsOf(print: Print): Promise<FontSet> {
+  const { backs, fonts, pages, sheets, loadFont } = print;
+  if (fonts) return fonts;
+  const { FontSet } = await import('./font-set.js');
+  return FontSet.load(textsOf([...pages, ...sheets, ...backs]), loadFont);
 }

@@ -2,8 +2,10 @@ import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
+import type { PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
-import { centredLine, type TextLine } from './text-line.js';
+import { sidesOf } from './polygon.js';
+import { centredLine, underlineOf, type TextLine } from './text-line.js';
 
 /**
  * The lines of one piece, or of a loose strip, where they lie on the sheet; mm, y up, from the
@@ -26,12 +28,26 @@ export interface PieceDrawing {
   texts: TextLine[];
 }
 
+/** Marks by which a machine finds a printed sheet, in black. */
+export interface RegistrationMarks {
+  /** Filled. */
+  square: Point[];
+  /** Lines with a corner in their middle. */
+  corners: Point[][];
+  /** Of the lines; mm. */
+  width: number;
+}
+
 /** Everything that is drawn on one sheet, before a format gives it its syntax. */
 export interface SheetDrawing {
   width: number;
   height: number;
   pieces: PieceDrawing[];
   frame: SheetFrame;
+  /** Below all else, on pages that tell how to build the model. */
+  picture?: PictureShape[];
+  /** By which a machine finds the sheet, if it cuts what was printed before. */
+  registration?: RegistrationMarks;
 }
 
 type At = (vertex: number) => Point;
@@ -107,10 +123,6 @@ function angledFolds(piece: Piece, flatFold: number, at: At): AngledFold[] {
   return folds;
 }
 
-function sidesOf(walk: readonly Point[]): Segment[] {
-  return walk.map((from, i) => [from, walk[(i + 1) % walk.length]!]);
-}
-
 /** Points of pairs of coordinates, moved. */
 function pointsOf(coordinates: Float64Array, dx = 0, dy = 0): Point[] {
   return Array.from({ length: coordinates.length / 2 }, (_, i): Point => [
@@ -151,7 +163,8 @@ function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing
   };
 }
 
-function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
+/** The lines of one piece. */
+export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
@@ -163,7 +176,10 @@ function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceD
   const hasTape = piece.tapeMarks.length > 0;
   const texts = piece.labels.map((label) => lineOf(label, piece.x, piece.y));
   if (foldAngles) {
-    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides];
+    const underlines = texts
+      .filter(({ underlined }) => underlined)
+      .map((text) => underlineOf(text).line);
+    const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides, ...underlines];
     texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
   }
   const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));

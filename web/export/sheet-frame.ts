@@ -1,6 +1,6 @@
 /**
  * What every sheet carries besides its pieces: a ruler along its lower and its left edge, a box to
- * measure, title and number, and how to print it. All of it lies beside the pieces by construction:
+ * measure, which side is the outside of the model, title and number, and how to print it. All of it lies beside the pieces by construction:
  * the engine keeps that band free (`ruled_margin` in cpp/paper/sheets.h).
  */
 import { rulerLength, type LineKind } from '../model/print-options.js';
@@ -28,12 +28,14 @@ export interface SheetFramePlan {
   /** Two lines; the first may be shortened, the second is left out where it has no room. */
   title: string;
   note: string;
+  /** What stays free at the far ends of both bands; mm. */
+  ends: number;
 }
 
 // As the engine has them: what printers leave white, unless the margin says that this one does not,
 // and the height of the band.
 const unprinted = 4;
-const bandHeight = 5.5;
+export const bandHeight = 5.5;
 
 // 6 points: small, but readable on every printer.
 const textSize = 2.1;
@@ -47,6 +49,9 @@ const lineRoom = 0.5;
 // Baselines of title and note over the band's lower edge.
 const [upperLine, lowerLine] = [3.1, 0.5];
 
+/** Of the two lines of text in the band: baselines over its lower edge, size, and what stays free beside them; mm. */
+export const bandLines = { upper: upperLine, lower: lowerLine, size: textSize, gap } as const;
+
 /** Where the band begins, and where pieces do, from the left and the lower edge; mm. */
 export function bandOf(margin: number): { from: number; to: number } {
   const from = Math.min(margin, unprinted);
@@ -59,10 +64,16 @@ function tickHeight(at: number): number {
   return at % 5 === 0 ? 2.2 : 1.4;
 }
 
+type Place = (point: Point) => Point;
+
+/** Takes what is drawn from (0, 0) to the right to its place, where it may go up instead. */
+function placeAt(start: Point, angle: 0 | 90): Place {
+  return ([x, y]) => (angle === 0 ? [start[0] + x, start[1] + y] : [start[0] - y, start[1] + x]);
+}
+
 /** A ruler with its marks at the right side and its length at the end, as it is walked from `start`. */
 function ruler(length: number, angle: 0 | 90, start: Point): SheetFrame {
-  const place = ([x, y]: Point): Point =>
-    angle === 0 ? [start[0] + x, start[1] + y] : [start[0] - y, start[1] + x];
+  const place = placeAt(start, angle);
   const along = (from: Point, to: Point): Stroke => ({
     points: [place(from), place(to)],
     closed: false,
@@ -80,6 +91,9 @@ function ruler(length: number, angle: 0 | 90, start: Point): SheetFrame {
   };
   return { strokes, texts: [text] };
 }
+
+/** What a ruler's length takes behind it. */
+const unitWidth = widthAtMost(`${rulerLength} mm`, textSize) + 1 + gap;
 
 /** The longest ruler, in whole cm, that leaves so much room beside it; 0: none. */
 function rulerFor(room: number): number {
@@ -105,37 +119,88 @@ function scaleBox(left: number, bottom: number, width: number): SheetFrame {
   };
 }
 
-/** The frame of one sheet. On small paper rulers are shorter, and the box is in the corner. */
-export function frameSheet({ width, height, margin, title, note }: SheetFramePlan): SheetFrame {
+// The words are the reader's, as few as possible: in two lines beside the arrow.
+const outsideWords = ['this side', 'is outside'] as const;
+/** Of the arrow: half of its paper, and of its head. */
+const [paperHalf, headHalf] = [1.8, 0.9];
+const outsideWidth =
+  2 * paperHalf + 1 + Math.max(...outsideWords.map((words) => widthAtMost(words, textSize)));
+
+/** The paper from the side, with an arrow that leaves it upwards, and what that means; in a band from `start`. */
+function outsideMark(angle: 0 | 90, start: Point): SheetFrame {
+  const place = placeAt(start, angle);
+  const [low, high] = [lowerLine, upperLine + capHeight * textSize];
+  const open = (...points: Point[]): Stroke => ({ points: points.map(place), closed: false });
+  const line = (text: string, y: number): TextLine => {
+    const at = place([2 * paperHalf + 1, y]);
+    return { text, at, anchor: 'start', angle, size: textSize };
+  };
+  const [head, foot] = [high - 1.2, paperHalf];
+  return {
+    strokes: [
+      open([0, low], [2 * paperHalf, low]),
+      open([foot, low], [foot, high]),
+      open([foot - headHalf, head], [foot, high], [foot + headHalf, head]),
+    ],
+    texts: [line(outsideWords[0], upperLine), line(outsideWords[1], lowerLine)],
+  };
+}
+
+/** What stands one after the other in the band below, and where the next thing begins. */
+interface Row {
+  parts: SheetFrame[];
+  left: number;
+}
+
+/** Ruler and box: on small paper the ruler is shorter, and the box is in the corner. */
+function measures(margin: number, room: number): Row {
   const { from, to } = bandOf(margin);
-  const end = width - margin;
-  const unit = widthAtMost(`${rulerLength} mm`, textSize) + 1 + gap;
-  const words = widthAtMost(note, textSize);
-  const across = rulerFor(end - to - unit - words);
-  const up = rulerFor(height - margin - to - unit);
-  const parts: SheetFrame[] = [
-    ...(across > 0 ? [ruler(across, 0, [to, from + bandHeight - lineRoom])] : []),
-    ...(up > 0 ? [ruler(up, 90, [from + lineRoom, to])] : []),
-  ];
-  let left = across > 0 ? to + across + unit : to;
-  if (left + boxWidth + gap + words <= end) {
+  const across = rulerFor(room - unitWidth);
+  const parts = across > 0 ? [ruler(across, 0, [to, from + bandHeight - lineRoom])] : [];
+  const left = across > 0 ? to + across + unitWidth : to;
+  if (left + boxWidth + gap <= to + room) {
     parts.push(scaleBox(left, from + (bandHeight - boxHeight) / 2, boxWidth));
-    left += boxWidth + gap;
-  } else {
-    // Where the bands meet there is nothing else.
-    parts.push(scaleBox(from, from, boxHeight));
+    return { parts, left: left + boxWidth + gap };
   }
+  // Where the bands meet there is nothing else.
+  parts.push(scaleBox(from, from, boxHeight));
+  return { parts, left };
+}
+
+/** The ruler at the left, and above it what has no room below. */
+function leftBand(margin: number, height: number, hasMark: boolean): SheetFrame[] {
+  const { from, to } = bandOf(margin);
+  const mark = hasMark ? outsideWidth + gap : 0;
+  const room = height - margin - to;
+  const up = rulerFor(room - unitWidth - mark);
+  const top = up > 0 ? to + up + unitWidth : to;
+  return [
+    ...(up > 0 ? [ruler(up, 90, [from + lineRoom, to])] : []),
+    ...(hasMark && outsideWidth <= height - margin - top
+      ? [outsideMark(90, [from + bandHeight, top])]
+      : []),
+  ];
+}
+
+/** The frame of one sheet. On paper too small for all of it some parts are smaller or left out. */
+export function frameSheet(plan: SheetFramePlan): SheetFrame {
+  const { width, height, margin, title, note, ends } = plan;
+  const { from, to } = bandOf(margin);
+  const end = width - margin - ends;
+  const words = widthAtMost(note, textSize);
+  const { parts, left: first } = measures(margin, end - to - words);
+  const isBelow = first + outsideWidth + gap + words <= end;
+  if (isBelow) parts.push(outsideMark(0, [first, from]));
+  const left = isBelow ? first + outsideWidth + gap : first;
+  parts.push(...leftBand(margin, height - ends, !isBelow));
   const line = (text: string, y: number): TextLine => ({
-    text,
+    text: shortened(text, textSize, end - left),
     at: [left, from + y],
     anchor: 'start',
     angle: 0,
     size: textSize,
   });
-  const texts = [
-    line(shortened(title, textSize, end - left), upperLine),
-    line(shortened(note, textSize, end - left), lowerLine),
-  ].filter(({ text }) => text !== '');
+  const texts = [line(title, upperLine), line(note, lowerLine)].filter(({ text }) => text !== '');
   return {
     strokes: parts.flatMap(({ strokes }) => strokes),
     texts: [...parts.flatMap((part) => part.texts), ...texts],

@@ -1,11 +1,13 @@
 import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
-import { guideStyle, leaderStyle, type Look } from './line-style.js';
+import { layers, layerTitles, type Layer } from './layers.js';
+import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
+import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
-import type { TextLine } from './text-line.js';
+import { underlineOf, type TextLine } from './text-line.js';
 
 /** The 0.1 micrometre that four decimals keep is far below what any printer or cutter resolves. */
 function decimal(value: number): string {
@@ -23,9 +25,9 @@ function attributes(values: Record<string, string | number>): string {
     .join(' ');
 }
 
-function strokeOf({ width, colour, dash }: LineStyle): string {
+function strokeOf({ width, colour, dash }: LineStyle, fill = 'none'): string {
   return attributes({
-    fill: 'none',
+    fill,
     stroke: colour,
     'stroke-width': width,
     'stroke-linecap': dash.length > 0 ? 'butt' : 'round',
@@ -34,12 +36,19 @@ function strokeOf({ width, colour, dash }: LineStyle): string {
   });
 }
 
+/**
+ * What texts become: text where every reader has its letters, or outlines of all letters, either
+ * filled or as lines for a pen.
+ */
+export type TextForm = 'text' | 'filled' | 'drawn';
+
 /** Writes one sheet; holds the flip of y, the only change of coordinates on the way into SVG. */
 class SheetWriter {
   constructor(
     private readonly drawing: SheetDrawing,
     private readonly look: Look,
     private readonly fonts: FontSet | null,
+    private readonly texts: TextForm,
   ) {}
 
   private at([x, y]: Point): string {
@@ -66,21 +75,46 @@ class SheetWriter {
     );
   }
 
-  cuts(): string[] {
+  /** What is drawn in a layer; nothing where it is empty. */
+  layer(layer: Layer): string[] {
+    switch (layer) {
+      case 'registration':
+        return this.registration();
+      case 'guide':
+        return [...this.picture(), ...this.guide()];
+      case 'flap':
+        return this.flaps();
+      case 'fold-mountain':
+        return this.folds('mountain', ({ mountains }) => mountains);
+      case 'fold-valley':
+        return this.folds('valley', ({ valleys }) => valleys);
+      case 'id':
+        return this.labels();
+      case 'cut':
+        return this.cuts();
+      default:
+        return [];
+    }
+  }
+
+  private registration(): string[] {
+    const { registration } = this.drawing;
+    if (!registration) return [];
+    const { square, corners, width } = registration;
+    const lines = attributes({ fill: 'none', stroke: '#000000', 'stroke-width': width });
+    return [
+      `<path fill="#000000" d="${this.walk(square, true)}"/>`,
+      `<path ${lines} d="${corners.map((corner) => this.walk(corner, false)).join('')}"/>`,
+    ];
+  }
+
+  private cuts(): string[] {
     return this.paths(strokeOf(this.look.lines.cut), ({ cuts }) =>
       cuts.map((walk) => this.walk(walk, true)),
     );
   }
 
-  mountains(): string[] {
-    return this.folds('mountain', ({ mountains }) => mountains);
-  }
-
-  valleys(): string[] {
-    return this.folds('valley', ({ valleys }) => valleys);
-  }
-
-  flaps(): string[] {
+  private flaps(): string[] {
     const fill = this.look.flaps;
     if (fill === 'none') return [];
     return this.paths(attributes({ fill }), ({ flaps }) =>
@@ -88,13 +122,19 @@ class SheetWriter {
     );
   }
 
+  private outlinePaint(): string {
+    if (this.texts === 'drawn') return strokeOf(penStyle(this.look));
+    return attributes({ fill: this.look.text });
+  }
+
   /** Letters that not every reader has are drawn as what they look like. */
   private text(line: TextLine, owner: string): string {
-    if (this.fonts && !isPlain(line.text)) {
+    if (this.fonts && (this.texts !== 'text' || !isPlain(line.text))) {
       const data = outlinesOf(line, this.fonts)
         .map(({ command, points }) => command + points.map((point) => this.at(point)).join(' '))
         .join('');
-      return `<path ${owner}data-text="${escaped(line.text)}" fill="${this.look.text}" d="${data}"/>`;
+      const text = attributes({ 'data-text': escaped(line.text) });
+      return `<path ${owner}${text} ${this.outlinePaint()} d="${data}"/>`;
     }
     const [left, top] = this.at(line.at).split(' ');
     const turn = decimal(-line.angle);
@@ -103,7 +143,7 @@ class SheetWriter {
       y: top!,
       fill: this.look.text,
       'font-family': 'Helvetica, Arial, sans-serif',
-      'font-size': line.size,
+      'font-size': decimal(line.size),
       'text-anchor': line.anchor,
       // About its own place, which stays where x and y say.
       ...(turn !== '0' && { transform: `rotate(${turn} ${left} ${top})` }),
@@ -111,13 +151,24 @@ class SheetWriter {
     return `<text ${owner}${place}>${escaped(line.text)}</text>`;
   }
 
-  labels(): string[] {
+  private label(line: TextLine, owner: string): string[] {
+    const text = this.text(line, owner);
+    if (!line.underlined) return [text];
+    const { line: segment, width } = underlineOf(line);
+    const style =
+      this.texts === 'drawn'
+        ? penStyle(this.look)
+        : { width: Number(decimal(width)), colour: this.look.text, dash: [] };
+    return [text, `<path ${owner}${strokeOf(style)} d="${this.walk(segment, false)}"/>`];
+  }
+
+  private labels(): string[] {
     return this.drawing.pieces.flatMap(({ letter, texts }) =>
-      texts.map((line) => this.text(line, `data-piece="${escaped(letter)}" `)),
+      texts.flatMap((line) => this.label(line, `data-piece="${escaped(letter)}" `)),
     );
   }
 
-  guide(): string[] {
+  private guide(): string[] {
     const { strokes, texts } = this.drawing.frame;
     const kinds = ['flap', undefined, 'mountain', 'valley', 'cut'] as const;
     const paths = kinds.flatMap((kind) => {
@@ -133,42 +184,66 @@ class SheetWriter {
     return [...paths, ...texts.map((line) => this.text(line, '')), ...leaders];
   }
 
+  /** What a page shows of the model. */
+  private picture(): string[] {
+    return (this.drawing.picture ?? []).map((shape) => this.shape(shape));
+  }
+
+  private shape(shape: PictureShape): string {
+    const isLine = shape.kind === 'line';
+    const data = shape.walks.map((walk) => this.walk(walk, !isLine || shape.closed)).join('');
+    const paint = isLine ? strokeOf(shape.style) : strokeOf(edgeStyle(shape.colour), shape.colour);
+    return `<path ${paint} d="${data}"/>`;
+  }
+
   private guidePaint(kind: LineKind | 'flap' | undefined): string {
     if (kind === 'flap') return attributes({ fill: this.look.flaps });
     return strokeOf(kind ? this.look.lines[kind] : guideStyle(this.look));
   }
 }
 
-function group(id: string, content: string[]): string {
-  return [`<g id="${id}">`, ...content, '</g>'].join('\n');
+const namespaces = attributes({
+  xmlns: 'http://www.w3.org/2000/svg',
+  'xmlns:inkscape': 'http://www.inkscape.org/namespaces/inkscape',
+});
+
+/** A group that Inkscape lists as a layer by its title; nothing if it is empty. */
+function group(id: Layer, content: string[]): string[] {
+  if (content.length === 0) return [];
+  const title = layerTitles[id];
+  const layer = attributes({ id, 'inkscape:groupmode': 'layer', 'inkscape:label': title });
+  return [`<g ${layer}>`, ...content, '</g>'];
+}
+
+/**
+ * One sheet, counted from 0, as an SVG document of this width, height and viewBox (in mm).
+ *
+ * @param texts what becomes of texts; outlines need the print's fonts
+ */
+export function drawSvg(
+  { sheets, look, fonts }: Pick<Print, 'sheets' | 'look' | 'fonts'>,
+  sheet: number,
+  size: { width: string; height: string; viewBox: string },
+  texts: TextForm,
+): string {
+  const writer = new SheetWriter(sheets[sheet]!, look, fonts, texts);
+  return [
+    '<?xml version="1.0" encoding="UTF-8"?>',
+    `<svg ${namespaces} ${attributes(size)}>`,
+    ...layers.flatMap((layer) => group(layer, writer.layer(layer))),
+    '</svg>',
+    '',
+  ].join('\n');
 }
 
 /**
  * One sheet, counted from 0, as an SVG document at true size: width and height in mm with a viewBox
- * in mm, no style sheet, and no transforms but the turn of a text about its own place. All groups
- * are there, empty or not, in a fixed order, so that cutting programs find the same layers in every
- * file. Texts are text, but for letters that not every reader has: those are outlines.
+ * in mm, no style sheet, and no transforms but the turn of a text about its own place. Groups come
+ * in a fixed order, without those that are empty, and are layers in Inkscape. Texts are text, but
+ * for letters that not every reader has: those are outlines. For machines all texts are lines.
  */
-export function writeSvg({ sheets, look, fonts }: Print, sheet: number): string {
-  const drawing = sheets[sheet]!;
-  const [width, height] = [decimal(drawing.width), decimal(drawing.height)];
-  const size = attributes({
-    width: `${width}mm`,
-    height: `${height}mm`,
-    viewBox: `0 0 ${width} ${height}`,
-  });
-  const writer = new SheetWriter(drawing, look, fonts);
-  return [
-    '<?xml version="1.0" encoding="UTF-8"?>',
-    `<svg xmlns="http://www.w3.org/2000/svg" ${size}>`,
-    group('texture', []),
-    group('guide', writer.guide()),
-    group('flap', writer.flaps()),
-    group('fold-mountain', writer.mountains()),
-    group('fold-valley', writer.valleys()),
-    group('id', writer.labels()),
-    group('cut', writer.cuts()),
-    '</svg>',
-    '',
-  ].join('\n');
+export function writeSvg(print: Print, sheet: number): string {
+  const [width, height] = [print.sheets[sheet]!.width, print.sheets[sheet]!.height].map(decimal);
+  const size = { width: `${width}mm`, height: `${height}mm`, viewBox: `0 0 ${width} ${height}` };
+  return drawSvg(print, sheet, size, print.machine === 'none' ? 'text' : 'drawn');
 }

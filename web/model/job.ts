@@ -185,6 +185,18 @@ export interface Strip {
   label: PieceLabel;
 }
 
+/** What is glued to what: cut edges in a straight line between two panels, or a joint. */
+export interface NamedSeam {
+  /** Ascending; of a joint the one that is glued. */
+  modelEdges: Int32Array;
+  /** Indices of the two pieces, or twice the same. */
+  pieces: [number, number];
+  /** What is printed at its two sides: `C3` on A and `A3` on C, or `3` twice on one piece. */
+  texts: [string, string];
+  /** The same for lists: `A-C:3`, `A:3`. */
+  name: string;
+}
+
 /** What came of the flaps of cut edges between two faces that are longer than 4 mm. */
 export interface FlapCounts {
   wanted: number;
@@ -336,6 +348,7 @@ export interface JobResult {
   efficiency: number;
   /** Millimetres per unit of the model. */
   scale: number;
+  seams: NamedSeam[];
   flaps: FlapCounts;
   /**
    * Seams with their id at both sides, and those where it is unreadable at one at least: `A-C:3` is

@@ -1,7 +1,7 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from './default-options.js';
 import type { JobOptions } from './job.js';
-import { defaultPrint, measurable, type PrintOptions } from './print-options.js';
+import { defaultPrint, dpiRange, measurable, type PrintOptions } from './print-options.js';
 import {
   choice,
   colour,
@@ -208,6 +208,18 @@ export const rows = {
     wordOr('style', wordOr('none', colour)),
     'what flaps are filled with',
   ),
+  'fold-ticks': row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: folds are marks of 3 mm at both ends, or a third of the fold, instead of lines across the picture',
+  ),
+  duplex: row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: behind each sheet a page with its folds, mirrored, to print on both sides, turned along the long edge (PDF)',
+  ),
   'fold-angles': row(
     'on|off',
     'off',
@@ -215,11 +227,29 @@ export const rows = {
     'print beside folds how far they fold',
   ),
   legend: row('on|off', 'on', choice(['on', 'off']), 'print once what lines and numbers mean'),
+  assembly: row(
+    'on|off',
+    'off',
+    choice(['on', 'off']),
+    'on: pages with a cover, a list of pieces and the steps to build the model (PDF, SVG, PNG)',
+  ),
   measured: row(
     'XMM,YMM|off',
     'off',
     wordOr('off', pair(decimal(measurable.least, measurable.most))),
     'what the printed rulers of 50 mm measure, across and up: corrects the printer’s scale',
+  ),
+  machine: row(
+    'NAME',
+    defaultPrint.machine,
+    choice(['none', 'silhouette', 'cricut', 'generic']),
+    'for a cutting machine: lines to cut, score and draw in pure colours, nothing else; none: for scissors',
+  ),
+  dpi: row(
+    'N',
+    defaultPrint.dpi,
+    whole(dpiRange.least, dpiRange.most),
+    'pixels to the inch of PNG files',
   ),
 } satisfies Record<string, Row<unknown>>;
 
@@ -238,10 +268,6 @@ export interface LaterRow {
 export const laterRows: Record<string, LaterRow> = {
   texture: {},
   colour: { value: 'NAME', same: 'none' },
-  duplex: {},
-  dpi: { value: 'N' },
-  machine: { value: 'NAME', same: 'none' },
-  assembly: {},
 };
 
 /** The settings as a person would write them, by the names of the options. */
@@ -297,9 +323,14 @@ export function printOptions(settings: Settings): PrintOptions {
     },
     ...(flaps !== 'style' && { flaps }),
     flatFold: settings['flat-fold'],
+    foldTicks: settings['fold-ticks'] === 'on',
+    duplex: settings.duplex === 'on',
     foldAngles: settings['fold-angles'] === 'on',
     legend: settings.legend === 'on',
+    assembly: settings.assembly === 'on',
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
+    machine: settings.machine,
+    dpi: settings.dpi,
   };
 }
 

@@ -14,6 +14,9 @@ export interface LineStyle {
 /** A look as a whole: ours, or that of a program that people know. */
 export type PrintStyle = 'foldwright' | 'pepakura' | 'blender';
 
+/** Who cuts: a person with scissors, or a cutting machine with the program that comes with it. */
+export type Machine = 'none' | 'silhouette' | 'cricut' | 'generic';
+
 export interface PrintOptions {
   style: PrintStyle;
   /** What differs from the style. */
@@ -22,12 +25,21 @@ export interface PrintOptions {
   flaps?: string;
   /** Folds flatter than this many degrees are not drawn. */
   flatFold: number;
+  /** Whether folds are short marks at both ends instead of lines; machines score them whole. */
+  foldTicks: boolean;
+  /** Whether PDF files have the folds on the backs of their sheets, too; none for machines. */
+  duplex: boolean;
   /** Whether folds are told by how many degrees they are folded. */
   foldAngles: boolean;
   /** Whether a legend is printed, once. */
   legend: boolean;
+  /** Whether a cover, a list of pieces and the steps to build the model come with the sheets. */
+  assembly: boolean;
   /** What the rulers of 50 mm measure on paper, across and up, when nothing is corrected. */
   measured: readonly [across: number, up: number];
+  machine: Machine;
+  /** Pixels to the inch of pictures. */
+  dpi: number;
 }
 
 /** Nominal length of the rulers; mm. */
@@ -36,16 +48,29 @@ export const rulerLength = 50;
 /** What a person can have measured; anything else is no printer's error. */
 export const measurable = { least: 45, most: 55 } as const;
 
+/** Below, lines are coarser than a pen's; above, no printer prints. */
+export const dpiRange = { least: 72, most: 1200 } as const;
+
 export const defaultPrint: Readonly<PrintOptions> = {
   style: 'foldwright',
   lines: {},
   flatFold: 3,
+  foldTicks: false,
+  duplex: false,
   foldAngles: false,
   legend: true,
+  assembly: false,
   measured: [rulerLength, rulerLength],
+  machine: 'none',
+  dpi: 300,
 };
 
-/** Whether sheets are corrected for a printer. */
-export function isCalibrated({ measured }: PrintOptions): boolean {
-  return measured.some((length) => length !== rulerLength);
+/** Whether sheets are corrected for a printer. Machines cut true to size, whatever printers do. */
+export function isCalibrated({ machine, measured }: PrintOptions): boolean {
+  return machine === 'none' && measured.some((length) => length !== rulerLength);
+}
+
+/** Whether sheets are printed on both sides. */
+export function printsBacks({ duplex, machine }: PrintOptions): boolean {
+  return duplex && machine === 'none';
 }

@@ -8,8 +8,12 @@ type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
   : Name;
 
-/** Lists and papers are written as the command line has them: '1,0.5', 'A4' or '210x297'. */
-type Written<Value> = Value extends PaperSize | readonly unknown[] ? string : Value;
+/** Switches may be true or false; lists and papers are as the command line has them: '1,0.5', 'A4' or '210x297'. */
+type Written<Value> = [Value] extends ['on' | 'off']
+  ? Value | boolean
+  : Value extends PaperSize | readonly unknown[]
+    ? string
+    : Value;
 
 type OptionName = Exclude<keyof Settings, 'workers'>;
 
@@ -52,19 +56,30 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'valley-dash',
   'valley-colour',
   'flap-colour',
+  'fold-ticks',
+  'duplex',
   'fold-angles',
   'legend',
+  'assembly',
   'measured',
+  'machine',
+  'dpi',
 ] satisfies OptionName[]);
 
 const nameOf = (key: string): string =>
   key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 
+/** A value as the command line has it. */
+function writtenOf(value: unknown): string {
+  if (typeof value === 'boolean') return value ? 'on' : 'off';
+  return Array.isArray(value) ? value.join(',') : String(value);
+}
+
 function parsed(name: string, value: unknown): unknown {
   const row = (rows as Record<string, Row<unknown> | undefined>)[name];
   if (!row) throw new BadOption(`there is no option '${name}'`);
   try {
-    return row.parse(Array.isArray(value) ? value.join(',') : String(value));
+    return row.parse(writtenOf(value));
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
     throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);
@@ -73,7 +88,7 @@ function parsed(name: string, value: unknown): unknown {
 
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
-  const { lines, flatFold, foldAngles, legend } = print;
+  const { assembly, duplex, lines, flatFold, foldAngles, foldTicks, legend, machine, dpi } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -91,8 +106,13 @@ export function lookOptions(print: PrintOptions): Options {
     valleyColour: lines.valley?.colour ?? 'style',
     flapColour: print.flaps ?? 'style',
     flatFold,
+    foldTicks: foldTicks ? 'on' : 'off',
+    duplex: duplex ? 'on' : 'off',
     foldAngles: foldAngles ? 'on' : 'off',
     legend: legend ? 'on' : 'off',
+    assembly: assembly ? 'on' : 'off',
+    machine,
+    dpi,
   };
 }
 

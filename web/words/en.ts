@@ -252,4 +252,11 @@ export const english: Table = {
     `no font has ${letters.join(' ')}: a box is printed in its place`,
   'fonts-not-loaded': () =>
     'the fonts for some letters could not be loaded: they look as the reader’s fonts have them',
+  'marks-not-free': ({ pieces: names, margin_mm }) =>
+    'the machine looks for its marks where something is cut: ' +
+    `a margin of ${figure(margin_mm)} mm keeps them free; ${pieces(names)}`,
+  'cricut-area': ({ sheets, width_mm, height_mm, margin_mm }) =>
+    `Cricut prints and then cuts ${Math.floor(width_mm)} x ${Math.floor(height_mm)} mm of this paper at most, and ` +
+    `${choose(sheets.length, 'sheet', 'sheets')} ${all(sheets.map((sheet) => figure(sheet)))} ` +
+    `${choose(sheets.length, 'needs', 'need')} more: cut without printing, or choose a margin of ${figure(margin_mm)} mm`,
 };

@@ -153,6 +153,8 @@ export interface OwnMessages {
   'beyond-page': { by_mm: number };
   'missing-glyphs': { letters: string[] };
   'fonts-not-loaded': None;
+  'marks-not-free': { pieces: string[]; margin_mm: number };
+  'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
 }
 
 export interface Messages extends EngineMessages, OwnMessages {}
