@@ -143,7 +143,8 @@ CraftCost::Side CraftCost::make_side(const Mesh& mesh, const MeshPanels& panels,
 double CraftCost::total(const Terms& terms) const {
   const CraftWeights& weights = options_.weights;
   return weights.flaps * terms.flaps + weights.hull * terms.hull / area_ +
-         weights.necks * terms.necks + weights.excess * terms.excess;
+         weights.necks * terms.necks + weights.excess * terms.excess +
+         weights.glue * terms.glue / std::sqrt(area_);
 }
 
 double CraftCost::seam_cost(double height) const {
@@ -184,6 +185,9 @@ void CraftCost::lay(const FoldTree& folds, const Layout& places) {
   for (std::size_t s = 0; s < seams_.size(); ++s) touch(static_cast<int>(s));
   now_ = {};
   now_.necks = count_necks();
+  for (int h = 0; h < graph.hinge_count(); ++h) {
+    if (!is_fold_[h]) now_.glue += graph.hinges[h].length * options_.scale;
+  }
   measure_shape(now_);
   then_ = now_;
   std::ranges::fill(cost_, 0);
@@ -219,6 +223,8 @@ double CraftCost::try_swap(const TreeSwap& swap, double limit) {
   is_fold_[swap.join] = 1;
   then_ = now_;
   then_.necks = count_necks();
+  then_.glue +=
+      options_.scale * (graph_->hinges[swap.cut].length - graph_->hinges[swap.join].length);
   then_.hull = then_.excess = 0;
   measure_shape(then_);
   work_ = 1 + graph_->panel_count() / 25;

@@ -17,6 +17,7 @@ struct CraftWeights {
   double hull = 3;     ///< per area of the faces that the convex hull has
   double necks = 0.5;  ///< per fold too short to hold what hangs at it
   double excess = 1;   ///< per mm that sticks out of the sheet
+  double glue = 0.2;   ///< per length of cuts within the piece over the root of its area
 };
 
 /// What is known of a cut edge whose other side is in another piece.
@@ -34,8 +35,8 @@ struct CraftOptions {
   std::vector<BorderRoom> borders;
 };
 
-/// The cost of a net on paper: cut edges without room for a flap, a large hull, weak necks, and
-/// what sticks out of the sheet.
+/// The cost of a net on paper: cut edges without room for a flap, a large hull, weak necks, what
+/// sticks out of the sheet, and how much there is to glue.
 ///
 /// Room is measured as flaps are placed (`room_profile.h`), but with no flap in the way of another;
 /// only edges over 4 mm count, each by its better side.
@@ -81,6 +82,7 @@ class CraftCost : public TreeCost {
     double flaps = 0, hull = 0;
     int necks = 0;
     double excess = 0;
+    double glue = 0;  ///< mm
   };
   struct Placed {
     Triangle2 face;

@@ -1,5 +1,6 @@
 /** Small models with known nets, laid flat here so that exporters can be tested without the engine. */
-import type { FlapCounts, JobResult, Model, Piece } from '../../web/model/job.js';
+import { cutPairs } from '../../web/model/borders.js';
+import type { FlapCounts, JobResult, Model, NamedSeam, Piece } from '../../web/model/job.js';
 import { pieceLetter } from './piece-letter.js';
 import { cross, dot, length, minus } from './vectors.js';
 
@@ -190,6 +191,18 @@ const noFlaps: FlapCounts = {
   taped: 0,
 };
 
+/** Each pair of cut edges as a seam of its own. */
+function seamsOf(pieces: Piece[]): NamedSeam[] {
+  return cutPairs(pieces).map(([one, other], i) => {
+    const modelEdges = Int32Array.of(pieces[one.piece]!.modelEdges[one.edge]!);
+    const at: [number, number] = [one.piece, other.piece];
+    const [a, b] = at.map(pieceLetter) as [string, string];
+    const number = `${i + 1}`;
+    if (a === b) return { modelEdges, pieces: at, texts: [number, number], name: `${a}:${number}` };
+    return { modelEdges, pieces: at, texts: [b + number, a + number], name: `${a}-${b}:${number}` };
+  });
+}
+
 /** A finished job whose pieces lie on A4 sheets, one piece a sheet. */
 export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
   const model: Model = {
@@ -221,7 +234,7 @@ export function makeResult(mesh: Mesh, pieces: Piece[]): JobResult {
     nets: [],
     sheets: pieces.map(() => ({ width: 210, height: 297 })),
     strips: [],
-    seams: [],
+    seams: seamsOf(pieces),
     efficiency: 0.25,
     scale: 1,
     flaps: noFlaps,

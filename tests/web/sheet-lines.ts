@@ -111,7 +111,8 @@ function unfolded(
   const off = (vertex: number): { along: number; away: Vector } => {
     const far = minus(at(vertex), at(u));
     const along = dot(far, edge) / length;
-    return { along, away: minus(far, edge.map((x) => (along * x) / length) as Vector) };
+    const [x, y, z] = edge.map((step) => (along * step) / length);
+    return { along, away: minus(far, [x!, y!, z!]) };
   };
   const corners = members.flatMap((face) => faces_vertices[face]!);
   const farthest = corners.reduce((best, w) =>
