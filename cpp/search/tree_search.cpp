@@ -17,6 +17,24 @@ constexpr double kLayeredTemperature = 1.7;
 // panels have one face each.
 std::int64_t usual_touch(int panels) { return 200 + panels / 4; }
 
+// Lengths that differ by less than this share of the mean edge count as equal, so that rounding
+// does not decide about the nets of regular bodies.
+constexpr double kSameLength = 1e-6;
+
+/// Whether a body was drawn in polygons rather than in triangles, which have no walls and lids.
+bool is_of_polygons(const DualGraph& graph) {
+  return 2 * static_cast<int>(graph.triangles.size()) >= 3 * graph.panel_count();
+}
+
+/// The fold tree that leaves least to be glued: its folds are as long as they may be.
+FoldTree shortest_cuts(const DualGraph& graph) {
+  std::vector<double> weights;
+  for (const Hinge& hinge : graph.hinges) {
+    weights.push_back(-std::round(hinge.length / (kSameLength * graph.unit)));
+  }
+  return minimum_spanning_tree(graph, weights);
+}
+
 }  // namespace
 
 TreeSearch::TreeSearch(const Mesh& mesh, const DualGraph& graph, const TreeSearchOptions& options,
@@ -51,6 +69,9 @@ TreeSearch::State TreeSearch::step(std::int64_t work) {
 }
 
 void TreeSearch::try_start() {
+  // What people draw by hand, where it is a net: a strip of walls with a lid at either end.
+  if (starts_done_ == 0 && is_of_polygons(*graph_)) consider(shortest_cuts(*graph_));
+  if (best_overlaps_ == 0) return;
   const Heuristic heuristic =
       starts_done_ % 2 == 0 ? Heuristic::kSteepestEdge : Heuristic::kFlatTree;
   const Vec3 direction = random_direction(random_);

@@ -40,7 +40,7 @@ TEST(CraftCost, OfACubeIsThatOfItsHull) {
   const Mesh mesh = cube();
   const DualGraph graph = build_dual_graph(mesh);
   const FoldTree cross = net_of(mesh, graph);
-  const double cost = cost_of(mesh, graph, only({0, 1, 0, 0}, 20), cross);
+  const double cost = cost_of(mesh, graph, only({0, 1, 0, 0, 0}, 20), cross);
   const Net net = make_net(mesh, graph, cross);
   const std::vector<Vec2> hull = convex_hull(net.vertices);
   double twice = 0;
@@ -54,7 +54,7 @@ TEST(CraftCost, CountsNoCutThatIsTooShortForAFlap) {
   // Edges of 2 mm hold by their neighbours.
   const Mesh mesh = icosahedron();
   const DualGraph graph = build_dual_graph(mesh);
-  EXPECT_EQ(cost_of(mesh, graph, only({1, 0, 0, 0}, 2), net_of(mesh, graph)), 0);
+  EXPECT_EQ(cost_of(mesh, graph, only({1, 0, 0, 0, 0}, 2), net_of(mesh, graph)), 0);
 }
 
 TEST(CraftCost, HasRoomForFlapsAsTheyAreThenPlaced) {
@@ -69,7 +69,7 @@ TEST(CraftCost, HasRoomForFlapsAsTheyAreThenPlaced) {
     std::vector<Net> nets = {make_net(mesh, graph, folds)};
     for (Vec2& p : nets[0].vertices) p *= scale;
     const FlapPlan plan = place_flaps(mesh, nets, {});
-    const double cost = cost_of(mesh, graph, only({1, 0, 0, 0}, scale), folds);
+    const double cost = cost_of(mesh, graph, only({1, 0, 0, 0, 0}, scale), folds);
     const auto missing = static_cast<double>(plan.missed.size());
     // At most 1.35 for each that is missing, and 0.5 for each that is low.
     EXPECT_LE(cost, 1.35 * missing + 0.5 * plan.counts.shrunk + 1e-9);
@@ -82,17 +82,17 @@ TEST(CraftCost, CountsNecks) {
   const Mesh mesh = accordion(std::vector<double>(30, 3));
   const DualGraph graph = build_dual_graph(mesh);
   const FoldTree folds = net_of(mesh, graph);
-  const double necks = cost_of(mesh, graph, only({0, 0, 1, 0}, 1), folds);
+  const double necks = cost_of(mesh, graph, only({0, 0, 1, 0, 0}, 1), folds);
   // 30 panels of two triangles: folds with eight faces or more on both sides.
   EXPECT_EQ(necks, 29 - 2 * 3);
-  EXPECT_EQ(cost_of(mesh, graph, only({0, 0, 1, 0}, 6), folds), 0) << "folds of 6 mm hold";
+  EXPECT_EQ(cost_of(mesh, graph, only({0, 0, 1, 0, 0}, 6), folds), 0) << "folds of 6 mm hold";
 }
 
 TEST(CraftCost, CountsWhatSticksOutOfTheSheet) {
   // A square, to which all other turns than the upright ones are worse.
   const Mesh mesh = open_strip(1);
   const DualGraph graph = build_dual_graph(mesh);
-  CraftOptions options = only({0, 0, 0, 1}, 300);
+  CraftOptions options = only({0, 0, 0, 1, 0}, 300);
   options.room = {190, 277};
   EXPECT_NEAR(cost_of(mesh, graph, options, {}), (300 - 190) + (300 - 277), 0.01);
 }
@@ -103,7 +103,7 @@ TEST(CraftCost, ReliesOnTheOtherSideOfABorder) {
   const std::vector<int> panels = {0, 1, 2, 3, 4};
   const DualGraph graph = restrict_to(whole, panels);
   const FoldTree folds = net_of(mesh, graph);
-  CraftOptions options = only({1, 0, 0, 0}, 10);
+  CraftOptions options = only({1, 0, 0, 0, 0}, 10);
   const double alone = cost_of(mesh, graph, options, folds);
   for (int e = 0; e < mesh.edge_count(); ++e) {
     const auto& faces = mesh.edges[e].faces;
@@ -125,7 +125,7 @@ TEST(CraftCost, StaysTrueOverManySwaps) {
     SCOPED_TRACE(seed);
     const Mesh mesh = bumpy_sphere(120);
     const DualGraph graph = build_dual_graph(mesh);
-    const CraftOptions options = only({1, 3, 0.5, 0}, 40);
+    const CraftOptions options = only({1, 3, 0.5, 0, 0}, 40);
     const FoldTree folds = net_of(mesh, graph);
     MovingLayout layout(graph, folds);
     CraftCost cost(mesh, graph, options);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "folding.h"
 #include "meshes.h"
@@ -27,6 +29,42 @@ void expect_net(const Mesh& mesh) {
     EXPECT_EQ(search.best_overlaps(), 0);
     EXPECT_TRUE(is_net(mesh, graph, search.best()));
   }
+}
+
+/// A prism over a regular polygon, with lids.
+Mesh prism(int sides, double height) {
+  std::vector<Vec3> positions;
+  for (const double y : {0.0, height}) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      positions.emplace_back(std::cos(angle), y, -std::sin(angle));
+    }
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    faces.push_back({i, next, sides + next});
+    faces.push_back({i, sides + next, sides + i});
+    if (i == 0 || next == 0) continue;
+    faces.push_back({0, next, i});
+    faces.push_back({sides, sides + i, sides + next});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
+TEST(TreeSearch, UnfoldsAPrismAsAStripWithTwoLids) {
+  constexpr double kHeight = 3;
+  const Mesh mesh = prism(32, kHeight);
+  const DualGraph graph = build_dual_graph(mesh);
+  ASSERT_EQ(graph.panel_count(), 34);
+  TreeSearch search(mesh, graph);
+  while (search.step(100000) == TreeSearch::State::kRunning) continue;
+  ASSERT_EQ(search.best_overlaps(), 0);
+  double cut = 0;
+  for (const Hinge& hinge : graph.hinges) cut += hinge.length;
+  for (const int h : search.best()) cut -= graph.hinges[h].length;
+  const double side = 2 * std::sin(std::numbers::pi / 32);
+  EXPECT_NEAR(cut, kHeight + 2 * 31 * side, 1e-9) << "one wall, and both lids but for a side";
 }
 
 TEST(TreeSearch, FindsANetOfACube) { expect_net(cube()); }
