@@ -273,6 +273,10 @@ DualGraph lock_edges(const Mesh& mesh, DualGraph graph, std::span<const EdgeLock
   return graph;
 }
 
+bool is_of_polygons(const DualGraph& graph) {
+  return 2 * static_cast<int>(graph.triangles.size()) >= 3 * graph.panel_count();
+}
+
 DualGraph restrict_to(const DualGraph& graph, std::span<const int> panels) {
   assert(std::is_sorted(panels.begin(), panels.end()));
   DualGraph part;

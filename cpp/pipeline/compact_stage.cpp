@@ -16,6 +16,10 @@ constexpr int kRounds = 2;
 constexpr std::int64_t kWorkPerFace = 6000;
 constexpr std::int64_t kMostWork = 3000000;
 
+// What glue costs for bodies of polygons (see `CraftWeights::glue`): a long wall that is glued
+// instead of folded outweighs the flaps of a few short edges.
+constexpr double kGlueOfPolygons = 5;
+
 /// Makes nets better to craft: room for flaps, a small outline, strong necks, within the sheet; see
 /// `CraftCost`. Between the rounds those are cut again that no sheet holds all the same. Nets stay
 /// free of overlap, and those that fold straight are certified anew.
@@ -103,6 +107,8 @@ class CompactStage : public Stage {
     CraftOptions craft;
     craft.scale = scale_;
     craft.shape = state.options.flaps.shape;
+    const Component& component = state.components[state.nets[n].region.component];
+    if (is_of_polygons(component.graph)) craft.weights.glue = kGlueOfPolygons;
     if (state.options.flaps.side == FlapSide::kNone) {
       craft.weights.flaps = 0;
     } else {

@@ -90,7 +90,7 @@ void each_field(T& value, F& f) {
   } else if constexpr (is_any_of<T, FlapShape>) {
     f(value.height), f(value.least), f(value.angle);
   } else if constexpr (is_any_of<T, CraftWeights>) {
-    f(value.flaps), f(value.hull), f(value.necks), f(value.excess);
+    f(value.flaps), f(value.hull), f(value.necks), f(value.excess), f(value.glue);
   } else if constexpr (is_any_of<T, Extent>) {
     f(value.width), f(value.height);
   } else if constexpr (is_any_of<T, BorderRoom>) {

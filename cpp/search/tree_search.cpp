@@ -21,11 +21,6 @@ std::int64_t usual_touch(int panels) { return 200 + panels / 4; }
 // does not decide about the nets of regular bodies.
 constexpr double kSameLength = 1e-6;
 
-/// Whether a body was drawn in polygons rather than in triangles, which have no walls and lids.
-bool is_of_polygons(const DualGraph& graph) {
-  return 2 * static_cast<int>(graph.triangles.size()) >= 3 * graph.panel_count();
-}
-
 /// The fold tree that leaves least to be glued: its folds are as long as they may be.
 FoldTree shortest_cuts(const DualGraph& graph) {
   std::vector<double> weights;

@@ -120,6 +120,26 @@ Mesh grid_cube(int n) {
   return make_mesh(std::move(positions), std::move(faces));
 }
 
+Mesh prism(int sides, double height) {
+  std::vector<Vec3> positions;
+  for (const double y : {0.0, height}) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      positions.emplace_back(std::cos(angle), y, -std::sin(angle));
+    }
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    faces.push_back({i, next, sides + next});
+    faces.push_back({i, sides + next, sides + i});
+    if (i == 0 || next == 0) continue;
+    faces.push_back({0, next, i});
+    faces.push_back({sides, sides + i, sides + next});
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
 Mesh tetrahedron() {
   return make_mesh({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}},
                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});

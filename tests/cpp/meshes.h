@@ -17,6 +17,9 @@ Mesh cube();
 /// A cube of side 2 whose sides are `n` x `n` squares of two triangles each.
 Mesh grid_cube(int n);
 
+/// A prism over a regular polygon in the unit circle, with lids; its walls stand along y.
+Mesh prism(int sides, double height);
+
 /// Regular tetrahedron inscribed in the cube of side 2.
 Mesh tetrahedron();
 

@@ -31,27 +31,6 @@ void expect_net(const Mesh& mesh) {
   }
 }
 
-/// A prism over a regular polygon, with lids.
-Mesh prism(int sides, double height) {
-  std::vector<Vec3> positions;
-  for (const double y : {0.0, height}) {
-    for (int i = 0; i < sides; ++i) {
-      const double angle = 2 * std::numbers::pi * i / sides;
-      positions.emplace_back(std::cos(angle), y, -std::sin(angle));
-    }
-  }
-  std::vector<std::array<int, 3>> faces;
-  for (int i = 0; i < sides; ++i) {
-    const int next = (i + 1) % sides;
-    faces.push_back({i, next, sides + next});
-    faces.push_back({i, sides + next, sides + i});
-    if (i == 0 || next == 0) continue;
-    faces.push_back({0, next, i});
-    faces.push_back({sides, sides + i, sides + next});
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
 TEST(TreeSearch, UnfoldsAPrismAsAStripWithTwoLids) {
   constexpr double kHeight = 3;
   const Mesh mesh = prism(32, kHeight);
