@@ -87,8 +87,8 @@ DualGraph build_dual_graph(const Mesh& mesh);
 /// nothing.
 DualGraph lock_edges(const Mesh& mesh, DualGraph graph, std::span<const EdgeLock> locks);
 
-/// Whether a body was drawn in polygons rather than in triangles: on average at least three faces in
-/// two panels. Only such bodies have walls and lids, and edges of very different lengths.
+/// Whether a body was drawn in polygons rather than in triangles: on average at least three faces
+/// in two panels. Only such bodies have walls and lids, and edges of very different lengths.
 bool is_of_polygons(const DualGraph& graph);
 
 /// The part of `graph` made of `panels` (ascending), with the hinges between them.
