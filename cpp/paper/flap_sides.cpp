@@ -8,11 +8,8 @@
 namespace foldwright {
 namespace {
 
-// In shares of a missing flap: what a lower flap than the other side's costs, and to change sides.
-// Two changes, there and back, cost less than a full flap that is lost, and more than a little of
-// one.
+// What a lower flap than the other side's costs, by its share of a full one.
 constexpr double kLower = 0.6;
-constexpr double kChange = 0.25;
 
 /// What it costs to have the flap of a seam on a side.
 double loss(const SideHeights& heights, int side, double full) {
@@ -25,7 +22,7 @@ double loss(const SideHeights& heights, int side, double full) {
 
 /// The sides along one chain by their banks: the cheapest way through it.
 std::vector<int> banks_of(const std::vector<SeamStep>& chain, std::span<const SideHeights> heights,
-                          double full) {
+                          double full, double change) {
   const auto cost_at = [&](std::size_t i, int bank) {
     const auto& [seam, side] = chain[i];
     return loss(heights[seam], bank == 0 ? side : 1 - side, full);
@@ -35,9 +32,9 @@ std::vector<int> banks_of(const std::vector<SeamStep>& chain, std::span<const Si
   for (std::size_t i = 1; i < chain.size(); ++i) {
     std::array<double, 2> next;
     for (const int bank : {0, 1}) {
-      const bool changes = costs[1 - bank] + kChange < costs[bank];
+      const bool changes = costs[1 - bank] + change < costs[bank];
       came_from[i][bank] = changes ? 1 - bank : bank;
-      next[bank] = (changes ? costs[1 - bank] + kChange : costs[bank]) + cost_at(i, bank);
+      next[bank] = (changes ? costs[1 - bank] + change : costs[bank]) + cost_at(i, bank);
     }
     costs = next;
   }
@@ -53,11 +50,11 @@ std::vector<int> banks_of(const std::vector<SeamStep>& chain, std::span<const Si
 }  // namespace
 
 std::vector<int> sides_in_chains(std::span<const std::vector<SeamStep>> chains,
-                                 std::span<const SideHeights> heights, double full) {
+                                 std::span<const SideHeights> heights, double full, double change) {
   std::vector<int> sides;
   for (const SideHeights& height : heights) sides.push_back(height[1] > height[0] ? 1 : 0);
   for (const std::vector<SeamStep>& chain : chains) {
-    const std::vector<int> banks = banks_of(chain, heights, full);
+    const std::vector<int> banks = banks_of(chain, heights, full, change);
     for (std::size_t i = 0; i < chain.size(); ++i) {
       sides[chain[i].seam] = banks[i] == 0 ? chain[i].side : 1 - chain[i].side;
     }

@@ -226,8 +226,15 @@ class FlapPlacer {
       }
     }
     if (options_.side != FlapSide::kAlternate) {
-      std::erase_if(chains, [&](const auto& chain) { return is_within_net(chain.front().seam); });
-      chosen_ = sides_in_chains(chains, heights_, options_.shape.height);
+      const auto first_within = std::ranges::stable_partition(
+          chains, [&](const auto& chain) { return !is_within_net(chain.front().seam); });
+      const double full = options_.shape.height;
+      chosen_ =
+          sides_in_chains({chains.begin(), first_within.begin()}, heights_, full, kChangeBetween);
+      const std::vector<int> within = sides_in_chains(first_within, heights_, full, kChangeWithin);
+      for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
+        if (is_within_net(i)) chosen_[i] = within[i];
+      }
       return;
     }
     chosen_ = sides_in_turn(nets_, seams_);
@@ -284,7 +291,8 @@ class FlapPlacer {
     const bool may_change = options_.side != FlapSide::kAlternate && is_within_net(seam);
     if (!flap || may_change) {
       const auto other = best_for_now(seam, 1 - chosen);
-      if (rank_of(other) > rank_of(flap)) {
+      // A little wider is no reason to change sides.
+      if (std::get<0>(rank_of(other)) > std::get<0>(rank_of(flap))) {
         flap = other;
         chosen = 1 - chosen;
       }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "job_runs.h"
 #include "meshes.h"
@@ -28,6 +30,30 @@ Glue glue_of(const JobResult& result) {
   return glue;
 }
 
+/// How often flaps change sides between seams that follow each other.
+int changes_of_side(const JobResult& result) {
+  std::vector<Net> nets;
+  std::set<std::pair<int, int>> flaps;  // by net and first edge
+  for (const Piece& piece : result.pieces) {
+    for (const Flap& flap : piece.flaps) flaps.insert({static_cast<int>(nets.size()), flap.edge});
+    nets.push_back(piece.net);
+  }
+  const std::vector<Seam> seams = find_seams(nets);
+  int changes = 0;
+  for (const std::vector<SeamStep>& chain : seam_chains(nets, seams)) {
+    int last = -1;
+    for (const auto& [seam, side] : chain) {
+      for (const int bank : {0, 1}) {
+        const SeamSide& at = seams[seam].sides[bank == 0 ? side : 1 - side];
+        if (!flaps.contains({at.net, at.edge()})) continue;
+        changes += last != -1 && last != bank;
+        last = bank;
+      }
+    }
+  }
+  return changes;
+}
+
 /// A job at a height of 60 mm.
 Outcome unfold(const Mesh& mesh) {
   JobOptions options;
@@ -42,6 +68,7 @@ TEST(ShapeNets, OfACylinderAreAStripWithTwoLids) {
   const double side = 2 * std::sin(std::numbers::pi / 32) * 30;
   const double by_hand = 60 + 2 * 31 * side;
   EXPECT_LE(glue_of(*outcome.result).length, 1.1 * by_hand);
+  EXPECT_LE(changes_of_side(*outcome.result), 6) << "both lids are glued round in one go";
 }
 
 TEST(ShapeNets, OfAGridCubeHaveTheSeamsOfACube) {
