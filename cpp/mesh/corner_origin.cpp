@@ -11,7 +11,7 @@ CornerOrigin with_weights(const CornerOrigin& like, const Vec3& weights) {
   return {like.face, like.corners, positive / positive.sum()};
 }
 
-bool share_corners(const CornerOrigin& a, const CornerOrigin& b) {
+[[maybe_unused]] bool share_corners(const CornerOrigin& a, const CornerOrigin& b) {
   return a.face == b.face && a.corners == b.corners;
 }
 

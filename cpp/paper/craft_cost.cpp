@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "geometry/convex2.h"
 #include "paper/necks.h"
@@ -40,104 +39,12 @@ CraftCost::CraftCost(const Mesh& mesh, const DualGraph& graph, const CraftOption
   probe_ = options_.shape;
   probe_.least = std::min(probe_.least, kLeastRoom);
   for (const double area : graph.areas) area_ += area * options_.scale * options_.scale;
-  add_sides(mesh);
-  reach_.resize(sides_.size());
-  room_.assign(sides_.size(), kUnknown);
-  is_stale_.assign(sides_.size(), 0);
-  cost_.assign(seams_.size(), 0);
+  cuts_ = craft_sides(mesh, graph, options_.scale, probe_, options_.borders);
+  reach_.resize(cuts_.sides.size());
+  room_.assign(cuts_.sides.size(), kUnknown);
+  is_stale_.assign(cuts_.sides.size(), 0);
+  cost_.assign(cuts_.seams.size(), 0);
   seen_.assign(graph.triangles.size(), 0);
-}
-
-/// The edges of a panel that may be cut, straight runs along a hinge as one; by slot, then corner.
-std::vector<CraftCost::EdgeRun> CraftCost::runs_of_panel(
-    const Mesh& mesh, int panel, const std::map<int, int>& hinge_of,
-    const std::map<int, double>& elsewhere) const {
-  const DualGraph& graph = *graph_;
-  std::vector<EdgeRun> edges;
-  std::map<std::pair<int, int>, int> starts, ends;  // by hinge and vertex: which of them
-  for (int slot = graph.first_face[panel]; slot < graph.first_face[panel + 1]; ++slot) {
-    const int face = graph.faces[slot];
-    for (int i = 0; i < 3; ++i) {
-      const int e = mesh.face_edges[face][i];
-      const auto hinge = hinge_of.find(e);
-      if (hinge == hinge_of.end() && !elsewhere.contains(e)) continue;
-      const int h = hinge == hinge_of.end() ? -1 : hinge->second;
-      const int from = mesh.faces[face][i];
-      const int to = mesh.faces[face][(i + 1) % 3];
-      // At the border of the piece each edge stands for itself.
-      if (h != -1) {
-        starts[{h, from}] = static_cast<int>(edges.size());
-        ends[{h, to}] = static_cast<int>(edges.size());
-      }
-      edges.push_back({slot, i, h, from, to, e});
-    }
-  }
-  std::vector<EdgeRun> runs;
-  for (const EdgeRun& edge : edges) {
-    if (ends.contains({edge.hinge, edge.from})) continue;
-    EdgeRun& run = runs.emplace_back(edge);
-    for (auto next = starts.find({run.hinge, run.to}); next != starts.end();
-         next = starts.find({run.hinge, run.to})) {
-      run.to = edges[next->second].to;
-      run.lowest = std::min(run.lowest, edges[next->second].lowest);
-    }
-  }
-  return runs;
-}
-
-void CraftCost::add_sides(const Mesh& mesh) {
-  const DualGraph& graph = *graph_;
-  const MeshPanels panels(mesh);
-  std::map<int, int> hinge_of, seam_of;  // by mesh edge
-  for (int h = 0; h < graph.hinge_count(); ++h) {
-    for (const int e : graph.hinges[h].edges) hinge_of[e] = h;
-  }
-  std::map<int, double> elsewhere;
-  for (const BorderRoom& border : options_.borders) elsewhere[border.mesh_edge] = border.height;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    for (const EdgeRun& run : runs_of_panel(mesh, panel, hinge_of, elsewhere)) {
-      const Side side = make_side(mesh, panels, run);
-      if (side.length <= kWantedLength) continue;
-      while (static_cast<int>(first_side_.size()) <= run.slot) {
-        first_side_.push_back(static_cast<int>(sides_.size()));
-      }
-      const auto [seam, is_new] = seam_of.emplace(run.lowest, static_cast<int>(seams_.size()));
-      const auto index = static_cast<int>(sides_.size());
-      if (is_new) {
-        const double height = run.hinge == -1 ? elsewhere.at(run.lowest) : 0;
-        seams_.push_back({run.lowest, run.hinge, {index, -1}, height});
-      } else {
-        seams_[seam->second].sides[1] = index;
-      }
-      seam_of_side_.push_back(seam->second);
-      sides_.push_back(side);
-    }
-  }
-  first_side_.resize(graph.triangles.size() + 1, static_cast<int>(sides_.size()));
-  seams_of_hinge_.resize(graph.hinge_count());
-  for (std::size_t s = 0; s < seams_.size(); ++s) {
-    if (seams_[s].hinge != -1) seams_of_hinge_[seams_[s].hinge].push_back(static_cast<int>(s));
-  }
-}
-
-CraftCost::Side CraftCost::make_side(const Mesh& mesh, const MeshPanels& panels,
-                                     const EdgeRun& run) const {
-  const int face = graph_->faces[run.slot];
-  const Mesh::Edge& edge = mesh.edges[mesh.face_edges[face][run.corner]];
-  const int across = edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
-  const Vec3& from = mesh.positions[run.from];
-  const Vec3& next = mesh.positions[mesh.faces[face][(run.corner + 1) % 3]];
-  Side side{run.slot,
-            run.corner,
-            (next - from).norm() * options_.scale,
-            (mesh.positions[run.to] - from).norm() * options_.scale,
-            panels.beyond(across, {run.from, run.to}, options_.scale),
-            0};
-  RoomProfile room = open_room(side.length, probe_.height);
-  lower_below(room, side.cover);
-  const auto open = best_flap(room, side.cover.lean, probe_);
-  side.open = open ? open->height : 0;
-  return side;
 }
 
 double CraftCost::total(const Terms& terms) const {
@@ -156,7 +63,7 @@ double CraftCost::seam_cost(double height) const {
   return height >= kLeastRoom ? kNearly : kNone;
 }
 
-Box2 CraftCost::reach_of(const Side& side, const Triangle2& face) const {
+Box2 CraftCost::reach_of(const CraftSide& side, const Triangle2& face) const {
   const Vec2& from = face[side.corner];
   const Vec2 along = (face[(side.corner + 1) % 3] - from) / side.edge_length;
   const Vec2 to = from + side.length * along;
@@ -182,7 +89,7 @@ void CraftCost::lay(const FoldTree& folds, const Layout& places) {
     }
   }
   forget_trial();
-  for (std::size_t s = 0; s < seams_.size(); ++s) touch(static_cast<int>(s));
+  for (std::size_t s = 0; s < cuts_.seams.size(); ++s) touch(static_cast<int>(s));
   now_ = {};
   now_.necks = count_necks();
   for (int h = 0; h < graph.hinge_count(); ++h) {
@@ -201,8 +108,8 @@ void CraftCost::put(int slot, Placed placed) {
   placed.box = box_of(placed.face);
   placed_[slot] = placed;
   grid_.insert(slot, placed.box);
-  for (int s = first_side_[slot]; s < first_side_[slot + 1]; ++s) {
-    reach_[s] = reach_of(sides_[s], placed.face);
+  for (int s = cuts_.first_side[slot]; s < cuts_.first_side[slot + 1]; ++s) {
+    reach_[s] = reach_of(cuts_.sides[s], placed.face);
   }
 }
 
@@ -249,7 +156,7 @@ void CraftCost::forget_trial() {
 
 /// Notes a seam whose cost may change.
 void CraftCost::touch(int seam) {
-  for (const int side : seams_[seam].sides) {
+  for (const int side : cuts_.seams[seam].sides) {
     if (side != -1) touch_side(side);
   }
 }
@@ -258,9 +165,9 @@ void CraftCost::touch_side(int side) {
   if (is_stale_[side]) return;
   is_stale_[side] = 1;
   stale_sides_.push_back(side);
-  const Seam& seam = seams_[seam_of_side_[side]];
+  const CraftSeam& seam = cuts_.seams[cuts_.seam_of_side[side]];
   const int other = seam.sides[0] == side ? seam.sides[1] : seam.sides[0];
-  if (other == -1 || !is_stale_[other]) stale_seams_.push_back(seam_of_side_[side]);
+  if (other == -1 || !is_stale_[other]) stale_seams_.push_back(cuts_.seam_of_side[side]);
 }
 
 /// Sides whose surroundings change: what comes near to them or goes away lies on the other side of
@@ -268,7 +175,7 @@ void CraftCost::touch_side(int side) {
 void CraftCost::find_stale() {
   const double reach = options_.shape.height;
   for (const int h : {trial_.cut, trial_.join}) {
-    for (const int seam : seams_of_hinge_[h]) touch(seam);
+    for (const int seam : cuts_.seams_of_hinge[h]) touch(seam);
   }
   for (const int slot : moved_slots_) {
     touch_near(slot, placed_[slot].box.grown(reach), placed_[slot], false);
@@ -281,12 +188,12 @@ void CraftCost::touch_near(int slot, const Box2& around, const Placed& placed, b
   grid_.visit(around, [&](int other) {
     if (moves_[other] || seen_[other] == query_ || !around.meets(placed_[other].box)) return true;
     seen_[other] = query_;
-    for (int s = first_side_[other]; s < first_side_[other + 1]; ++s) {
+    for (int s = cuts_.first_side[other]; s < cuts_.first_side[other + 1]; ++s) {
       if (is_cut(s) && reach_[s].meets(placed.box)) touch_side(s);
     }
-    for (int s = first_side_[slot]; s < first_side_[slot + 1]; ++s) {
+    for (int s = cuts_.first_side[slot]; s < cuts_.first_side[slot + 1]; ++s) {
       if (!is_cut(s) || is_stale_[s]) continue;
-      const Box2 box = in_trial ? reach_of(sides_[s], placed.face) : reach_[s];
+      const Box2 box = in_trial ? reach_of(cuts_.sides[s], placed.face) : reach_[s];
       if (box.meets(placed_[other].box)) touch_side(s);
     }
     return true;
@@ -294,14 +201,15 @@ void CraftCost::touch_near(int slot, const Box2& around, const Placed& placed, b
 }
 
 bool CraftCost::is_cut(int side) const {
-  const int hinge = seams_[seam_of_side_[side]].hinge;
+  const int hinge = cuts_.seams[cuts_.seam_of_side[side]].hinge;
   return hinge == -1 || !is_fold_[hinge];
 }
 
 void CraftCost::measure_seams(double limit) {
   for (const int seam : stale_seams_) then_.flaps -= cost_[seam];
   for (const int seam : stale_seams_) {
-    const double cost = is_cut(seams_[seam].sides[0]) ? seam_cost(best_height(seams_[seam])) : 0;
+    const double cost =
+        is_cut(cuts_.seams[seam].sides[0]) ? seam_cost(best_height(cuts_.seams[seam])) : 0;
     then_.flaps += cost;
     new_costs_.emplace_back(seam, cost);
     if (total(then_) > limit) return;
@@ -310,7 +218,7 @@ void CraftCost::measure_seams(double limit) {
 
 /// Height of the flap that a seam has room for at its better side. A side is measured only where
 /// the other one is not full.
-double CraftCost::best_height(const Seam& seam) {
+double CraftCost::best_height(const CraftSeam& seam) {
   const double full = options_.shape.height;
   double best = seam.elsewhere;
   for (const int side : seam.sides) {
@@ -332,7 +240,7 @@ double CraftCost::best_height(const Seam& seam) {
 }
 
 double CraftCost::measure(int s) {
-  const Side& side = sides_[s];
+  const CraftSide& side = cuts_.sides[s];
   const Placed& own = moves_[side.slot] ? trial_placed_[side.slot] : placed_[side.slot];
   const Vec2& from = own.face[side.corner];
   const Vec2 along = (own.face[(side.corner + 1) % 3] - from) / side.edge_length;
@@ -403,16 +311,16 @@ void CraftCost::measure_shape(Terms& terms) const {
 
 int CraftCost::worst_cut(Random& random) const {
   // A few looks find one while there are many; when hardly any is left there is little to gain.
-  for (int look = 0; look < 16 && !seams_.empty(); ++look) {
-    const int seam = random.below(static_cast<int>(seams_.size()));
-    if (seams_[seam].hinge != -1 && cost_[seam] > kAtLeast) return seams_[seam].hinge;
+  for (int look = 0; look < 16 && !cuts_.seams.empty(); ++look) {
+    const int seam = random.below(static_cast<int>(cuts_.seams.size()));
+    if (cuts_.seams[seam].hinge != -1 && cost_[seam] > kAtLeast) return cuts_.seams[seam].hinge;
   }
   return -1;
 }
 
 std::vector<BorderRoom> CraftCost::border_rooms() {
   std::vector<BorderRoom> rooms;
-  for (const Seam& seam : seams_) {
+  for (const CraftSeam& seam : cuts_.seams) {
     if (seam.hinge == -1) rooms.push_back({seam.mesh_edge, measure(seam.sides[0])});
   }
   std::ranges::sort(rooms, {}, &BorderRoom::mesh_edge);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "geometry/box_grid.h"
-#include "paper/flaps.h"
-#include "paper/mesh_panels.h"
+#include "paper/craft_sides.h"
 #include "paper/silhouette.h"
 #include "unfold/tree_cost.h"
 
@@ -18,12 +16,6 @@ struct CraftWeights {
   double necks = 0.5;  ///< per fold too short to hold what hangs at it
   double excess = 1;   ///< per mm that sticks out of the sheet
   double glue = 0.2;   ///< per length of cuts within the piece over the root of its area
-};
-
-/// What is known of a cut edge whose other side is in another piece.
-struct BorderRoom {
-  int mesh_edge;
-  double height;  ///< of the flap that may be counted on there, mm; 0: none
 };
 
 struct CraftOptions {
@@ -56,28 +48,6 @@ class CraftCost : public TreeCost {
   std::vector<BorderRoom> border_rooms();
 
  private:
-  /// One copy of a run of edges that may be cut, all along one hinge; mm.
-  struct Side {
-    int slot, corner;    ///< the face of its first edge in the graph, and the corner it starts from
-    double edge_length;  ///< of the first edge
-    double length;       ///< of the whole run
-    FlapCover cover;     ///< the panel across
-    double open;         ///< height of the flap where nothing is in the way
-  };
-  /// Edges of a panel one after the other, from a corner of the face in a slot.
-  struct EdgeRun {
-    int slot, corner;
-    int hinge;     ///< -1 at the border of the piece
-    int from, to;  ///< vertices of the mesh
-    int lowest;    ///< mesh edge
-  };
-  /// The sides of one run.
-  struct Seam {
-    int mesh_edge;             ///< the lowest of the run
-    int hinge;                 ///< -1 at the border of the piece
-    std::array<int, 2> sides;  ///< second: -1 at the border
-    double elsewhere;          ///< height to be counted on in another piece
-  };
   struct Terms {
     double flaps = 0, hull = 0;
     int necks = 0;
@@ -91,15 +61,10 @@ class CraftCost : public TreeCost {
 
   static constexpr double kUnknown = -1;
 
-  std::vector<EdgeRun> runs_of_panel(const Mesh& mesh, int panel,
-                                     const std::map<int, int>& hinge_of,
-                                     const std::map<int, double>& elsewhere) const;
-  void add_sides(const Mesh& mesh);
-  Side make_side(const Mesh& mesh, const MeshPanels& panels, const EdgeRun& run) const;
   double total(const Terms& terms) const;
   double seam_cost(double height) const;
   bool is_cut(int side) const;
-  Box2 reach_of(const Side& side, const Triangle2& face) const;
+  Box2 reach_of(const CraftSide& side, const Triangle2& face) const;
   void put(int slot, Placed placed);
   void forget_trial();
   void touch(int seam);
@@ -107,7 +72,7 @@ class CraftCost : public TreeCost {
   void find_stale();
   void touch_near(int slot, const Box2& around, const Placed& placed, bool in_trial);
   void measure_seams(double limit);
-  double best_height(const Seam& seam);
+  double best_height(const CraftSeam& seam);
   /// Height of the flap that a side has room for as faces lie in the trial.
   double measure(int side);
   void take_measures();
@@ -117,11 +82,7 @@ class CraftCost : public TreeCost {
   const DualGraph* graph_;
   CraftOptions options_;
   FlapShape probe_;  ///< what room is measured with: also less than a flap
-  std::vector<Side> sides_;
-  std::vector<int> first_side_;  ///< CSR over faces into `sides_`
-  std::vector<Seam> seams_;
-  std::vector<int> seam_of_side_;
-  std::vector<std::vector<int>> seams_of_hinge_;
+  CraftSides cuts_;
   double area_ = 0;  ///< of the faces, mm^2
 
   std::vector<char> is_fold_;

@@ -25,11 +25,8 @@ bool is_free(const SeamSide& side, const Trapezoid& flap,
 
 /// Whether a flap stays within its cover.
 bool is_covered(const Trapezoid& flap, const FlapCover& cover) {
-  const std::array<Vec2, 4> corners = {Vec2(flap.foot[0], 0), Vec2(flap.foot[1], 0),
-                                       Vec2(flap.top[1], flap.height),
-                                       Vec2(flap.top[0], flap.height)};
   return std::ranges::none_of(cover.borders, [&](const std::array<Vec2, 2>& border) {
-    return convex_overlap(corners, border, kTouching);
+    return convex_overlap(flap.corners(), border, kTouching);
   });
 }
 
@@ -48,8 +45,8 @@ Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
 }  // namespace
 
 std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
-  return {side.global({flap.foot[0], 0}), side.global({flap.top[0], flap.height}),
-          side.global({flap.top[1], flap.height}), side.global({flap.foot[1], 0})};
+  const auto [first, last, far, near] = flap.corners();
+  return {side.global(first), side.global(near), side.global(far), side.global(last)};
 }
 
 FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off)

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "paper/outline.h"
-
 namespace foldwright {
 namespace {
 
@@ -63,32 +61,16 @@ std::vector<int> sides_in_chains(std::span<const std::vector<SeamStep>> chains,
 }
 
 std::vector<int> sides_in_turn(std::span<const Net> nets, std::span<const Seam> seams) {
-  std::vector<std::vector<std::pair<int, int>>> seam_of(nets.size());  // seam, side; by edge
-  for (std::size_t n = 0; n < nets.size(); ++n) seam_of[n].resize(nets[n].edges.size(), {-1, 0});
-  for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
-    for (const int s : {0, 1}) {
-      const SeamSide& side = seams[i].sides[s];
-      seam_of[side.net][side.edge()] = {i, s};
-    }
-  }
-  std::vector<int> preferred(seams.size(), -1);
-  for (std::size_t n = 0; n < nets.size(); ++n) {
-    std::vector<int> edge_from(nets[n].vertices.size(), -1);
-    for (std::size_t e = 0; e < nets[n].edges.size(); ++e) {
-      if (seam_of[n][e].first != -1) edge_from[nets[n].edges[e].vertices[0]] = static_cast<int>(e);
-    }
+  std::vector<int> sides(seams.size(), -1);
+  for (const std::vector<SeamStep>& steps : steps_along_outlines(nets, seams)) {
     bool here = true;
-    for (const std::vector<int>& walk : boundary_walks(nets[n])) {
-      for (const int vertex : walk) {
-        if (edge_from[vertex] == -1) continue;
-        const auto [seam, side] = seam_of[n][edge_from[vertex]];
-        // A seam that another piece decided about sets the turn, too.
-        if (preferred[seam] == -1) preferred[seam] = here ? side : 1 - side;
-        here = preferred[seam] != side;
-      }
+    for (const auto& [seam, side] : steps) {
+      // A seam that another piece decided about sets the turn, too.
+      if (sides[seam] == -1) sides[seam] = here ? side : 1 - side;
+      here = sides[seam] != side;
     }
   }
-  return preferred;
+  return sides;
 }
 
 }  // namespace foldwright

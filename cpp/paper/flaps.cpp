@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <tuple>
 
-#include "mesh/input_error.h"
 #include "paper/flap_sides.h"
+#include "paper/flap_wishes.h"
 #include "paper/seams.h"
 
 namespace foldwright {
@@ -17,41 +16,6 @@ namespace {
 std::tuple<double, double> rank_of(const std::optional<Trapezoid>& flap) {
   if (!flap) return {0, 0};
   return {flap->height, flap->top[1] - flap->top[0]};
-}
-
-/// The same flaps seen along the edge the other way.
-EdgeFlaps seen_from_behind(EdgeFlaps flaps) {
-  if (flaps == EdgeFlaps::kLeft) return EdgeFlaps::kRight;
-  if (flaps == EdgeFlaps::kRight) return EdgeFlaps::kLeft;
-  return flaps;
-}
-
-/// What a person decided about an edge, seen along it as the mesh has it.
-struct EdgeChoice {
-  EdgeFlaps flaps;
-  double height;  ///< mm; 0: as all others
-  int order;      ///< among all choices
-};
-
-/// The choices, by mesh edge.
-std::map<int, EdgeChoice> choices_by_edge(const Mesh& mesh, std::span<const FlapChoice> choices) {
-  std::map<int, EdgeChoice> chosen;
-  if (choices.empty()) return chosen;
-  std::map<std::array<int, 2>, int> edges;
-  for (int e = 0; e < mesh.edge_count(); ++e) edges[mesh.edges[e].vertices] = e;
-  int order = 0;
-  for (const auto& [from, to, flaps, height] : choices) {
-    const auto ahead = edges.find({from, to});
-    const auto back = edges.find({to, from});
-    if (ahead != edges.end()) {
-      chosen[ahead->second] = {flaps, height, order++};
-    } else if (back != edges.end()) {
-      chosen[back->second] = {seen_from_behind(flaps), height, order++};
-    } else {
-      throw InputError("bad-option", {{"what", "flap-edge"}, {"from", from}, {"to", to}});
-    }
-  }
-  return chosen;
 }
 
 /// How far a flap at a concave corner leans in per height to leave half of it to the flap of the
@@ -74,7 +38,7 @@ class FlapPlacer {
         options_(options),
         panels_(panels_of(nets)),
         seams_(find_seams(nets, panels_)),
-        choices_(choices_by_edge(mesh, options.choices)),
+        wishes_(mesh, options),
         room_(nets, keep_off),
         corners_(seams_.size()),
         chosen_(seams_.size(), -1),
@@ -101,11 +65,6 @@ class FlapPlacer {
   }
 
  private:
-  /// Which of a seam's sides may have flaps, and whether all of them are to.
-  struct Wish {
-    std::array<bool, 2> allowed;
-    bool both;
-  };
   /// A flap where it is.
   struct PlacedFlap {
     Trapezoid shape;
@@ -119,17 +78,11 @@ class FlapPlacer {
 
   /// Notes where sides of seams meet at concave corners.
   void find_corners() {
-    std::map<std::pair<int, int>, SeamStep> starts;  // by net and vertex
+    const auto starts = seam_starts(seams_);
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
       for (const int s : {0, 1}) {
         const SeamSide& side = seams_[i].sides[s];
-        starts[{side.net, base_of(side)[0]}] = {i, s};
-      }
-    }
-    for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
-      for (const int s : {0, 1}) {
-        const SeamSide& side = seams_[i].sides[s];
-        const auto next = starts.find({side.net, base_of(side)[1]});
+        const auto next = starts.find({side.net, side.base[1]});
         if (next == starts.end()) continue;
         const auto& [j, t] = next->second;
         const SeamSide& beside = seams_[j].sides[t];
@@ -141,57 +94,7 @@ class FlapPlacer {
     }
   }
 
-  std::array<int, 2> base_of(const SeamSide& side) const {
-    const Net& net = nets_[side.net];
-    return {net.edges[side.edges.front()].vertices[0], net.edges[side.edges.back()].vertices[1]};
-  }
-
-  /// What a person chose for a seam, seen along the edge that was named; null: nothing.
-  const std::pair<const int, EdgeChoice>* choice_at(std::span<const int> mesh_edges) const {
-    const std::pair<const int, EdgeChoice>* latest = nullptr;
-    if (choices_.empty()) return latest;
-    for (const int e : mesh_edges) {
-      const auto chosen = choices_.find(e);
-      if (chosen == choices_.end()) continue;
-      if (!latest || chosen->second.order > latest->second.order) latest = &*chosen;
-    }
-    return latest;
-  }
-
-  /// How flaps at a seam may look.
-  FlapShape shape_at(std::span<const int> mesh_edges) const {
-    FlapShape shape = options_.shape;
-    const auto* chosen = choice_at(mesh_edges);
-    if (chosen && chosen->second.height > 0) {
-      shape.height = chosen->second.height;
-      shape.least = std::min(shape.least, shape.height);
-    }
-    return shape;
-  }
-
-  Wish wish_of(const Seam& seam) const {
-    const auto* chosen = choice_at(seam.mesh_edges);
-    if (!chosen || chosen->second.flaps == EdgeFlaps::kUsual) {
-      const bool any = options_.side != FlapSide::kNone;
-      return {{any, any}, options_.side == FlapSide::kBoth};
-    }
-    const EdgeFlaps flaps = chosen->second.flaps;
-    Wish wish = {{}, flaps == EdgeFlaps::kBoth};
-    for (const int s : {0, 1}) {
-      const bool is_left =
-          face_at(seam.sides[s], chosen->first) == mesh_.edges[chosen->first].faces[0];
-      wish.allowed[s] = wish.both || flaps == (is_left ? EdgeFlaps::kLeft : EdgeFlaps::kRight);
-    }
-    return wish;
-  }
-
-  /// The face of the mesh beside an edge of the mesh on a side of its seam.
-  int face_at(const SeamSide& side, int mesh_edge) const {
-    const Net& net = nets_[side.net];
-    const auto edge =
-        std::ranges::find(side.edges, mesh_edge, [&](int e) { return net.edges[e].mesh_edge; });
-    return net.faces[side.faces[edge - side.edges.begin()]];
-  }
+  FlapWish wish_of(const Seam& seam) const { return wishes_.of(seam, nets_); }
 
   /// The highest flap; at ends where `shares` is set it leaves half of the corner to another one.
   std::optional<Trapezoid> best(int seam, int s, std::array<bool, 2> shares) const {
@@ -199,20 +102,20 @@ class FlapPlacer {
     for (const int end : {0, 1}) {
       if (shares[end]) cover.lean[end] = std::max(cover.lean[end], corners_[seam][s][end].lean);
     }
-    return room_.best(seams_[seam].sides[s], cover, shape_at(seams_[seam].mesh_edges));
+    return room_.best(seams_[seam].sides[s], cover, wishes_.shape_at(seams_[seam].mesh_edges));
   }
 
   /// Decides for every seam on which side its flap goes, by the room that faces leave, with corners
   /// shared among seams that are glued in one go.
   void choose_sides() {
-    auto chains = seam_chains(nets_, seams_);
+    auto chains = seam_chains(seams_);
     std::vector<int> chain_of(seams_.size());
     for (std::size_t c = 0; c < chains.size(); ++c) {
       for (const SeamStep& step : chains[c]) chain_of[step.seam] = static_cast<int>(c);
     }
     heights_.assign(seams_.size(), {-1, -1});
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
-      const Wish wish = wish_of(seams_[i]);
+      const FlapWish wish = wish_of(seams_[i]);
       for (const int s : {0, 1}) {
         if (!wish.allowed[s]) continue;
         std::array<bool, 2> shares;
@@ -253,7 +156,7 @@ class FlapPlacer {
   std::vector<int> by_scarcity() const {
     std::vector<std::tuple<bool, double, int>> order;
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
-      const Wish wish = wish_of(seams_[i]);
+      const FlapWish wish = wish_of(seams_[i]);
       if (!wish.allowed[0] && !wish.allowed[1]) continue;
       const bool is_short = seams_[i].sides[0].length() <= kWantedLength;
       order.emplace_back(is_short, heights_[i][chosen_[i]], i);
@@ -306,8 +209,8 @@ class FlapPlacer {
 
   /// Once all flaps are there each takes what room is left.
   void serve_again(int seam) {
-    const Wish wish = wish_of(seams_[seam]);
-    const double full = shape_at(seams_[seam].mesh_edges).height;
+    const FlapWish wish = wish_of(seams_[seam]);
+    const double full = wishes_.shape_at(seams_[seam].mesh_edges).height;
     for (const int s : {chosen_[seam], 1 - chosen_[seam]}) {
       auto& placed = placed_[seam][s];
       if (placed) {
@@ -342,11 +245,8 @@ class FlapPlacer {
       for (const int e : side.edges) mesh_edges.push_back(nets_[side.net].edges[e].mesh_edge);
       const bool stands = options_.side != FlapSide::kNone && is_joint(mesh_edges.front());
       if (!options_.borders && !stands) continue;
-      const auto* chosen = choice_at(mesh_edges);
-      const EdgeFlaps flaps = chosen ? chosen->second.flaps : EdgeFlaps::kUsual;
-      // A border has its only face on the left.
-      if (flaps == EdgeFlaps::kNone || flaps == EdgeFlaps::kRight) continue;
-      const auto flap = room_.best(side, {}, shape_at(mesh_edges));
+      if (!wishes_.allow_border(mesh_edges)) continue;
+      const auto flap = room_.best(side, {}, wishes_.shape_at(mesh_edges));
       if (!flap) continue;
       room_.take(side, *flap);
       write_flap(side, *flap, angle_at(mesh_edges.front()));
@@ -357,7 +257,7 @@ class FlapPlacer {
   void write_flap(const SeamSide& side, const Trapezoid& shape, double angle) {
     const std::vector<Vec2> corners = flap_corners(side, shape);
     plan_.flaps[side.net].push_back({side.edge(),
-                                     base_of(side),
+                                     side.base,
                                      {corners[0], corners[1], corners[2], corners[3]},
                                      shape.height,
                                      angle});
@@ -394,7 +294,7 @@ class FlapPlacer {
     return std::atan2(onto.dot(along.cross(inwards)), -onto.dot(inwards));
   }
 
-  void count(const Seam& seam, const Wish& wish, double height) {
+  void count(const Seam& seam, const FlapWish& wish, double height) {
     const double length = seam.sides[0].length();
     if (length <= kWantedLength) return;
     FlapCounts& counts = plan_.counts;
@@ -404,16 +304,16 @@ class FlapPlacer {
       counts.missing_length += length;
       plan_.missed.push_back({seam.mesh_edge(), why_missed(seam, wish)});
     } else {
-      ++(height >= shape_at(seam.mesh_edges).height ? counts.full : counts.shrunk);
+      ++(height >= wishes_.shape_at(seam.mesh_edges).height ? counts.full : counts.shrunk);
     }
   }
 
-  FlapMiss why_missed(const Seam& seam, const Wish& wish) const {
+  FlapMiss why_missed(const Seam& seam, const FlapWish& wish) const {
     FlapMiss why = FlapMiss::kShort;
     for (const int s : {0, 1}) {
       if (!wish.allowed[s]) continue;
-      why =
-          std::max(why, room_.why_none(seam.sides[s], seam.cover_of(s), shape_at(seam.mesh_edges)));
+      why = std::max(
+          why, room_.why_none(seam.sides[s], seam.cover_of(s), wishes_.shape_at(seam.mesh_edges)));
     }
     return why;
   }
@@ -423,7 +323,7 @@ class FlapPlacer {
   const FlapOptions& options_;
   std::vector<NetPanels> panels_;  ///< per net
   std::vector<Seam> seams_;
-  std::map<int, EdgeChoice> choices_;  ///< by mesh edge
+  FlapWishes wishes_;
   FlapRoom room_;
   std::vector<std::array<std::array<Corner, 2>, 2>> corners_;  ///< per seam, side and end
   std::vector<SideHeights> heights_;                           ///< per seam, where flaps may be

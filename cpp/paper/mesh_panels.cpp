@@ -6,13 +6,6 @@
 #include "mesh/dual_graph.h"
 
 namespace foldwright {
-namespace {
-
-// What is no higher above the base than this lies on it; mm.
-constexpr double kOnBase = 1e-7;
-
-}  // namespace
-
 MeshPanels::MeshPanels(const Mesh& mesh) : mesh_(&mesh) {
   const int count = static_cast<int>(mesh.faces.size());
   UnionFind joined(count);
@@ -51,20 +44,18 @@ FlapCover MeshPanels::beyond(int face, std::array<int, 2> base, double scale) co
     const Vec3 p = mesh.positions[vertex] - from;
     return Vec2(scale * Vec2(along.dot(p), into.dot(p)));
   };
-  FlapCover cover;
+  CoverBuilder cover(length);
   for (const auto& [start, end] : borders_[panel_of_[face]]) {
-    const Vec2 a = place(start);
-    const Vec2 b = place(end);
-    if (std::max(a.y(), b.y()) <= kOnBase) continue;
-    if (start == base[0] && b.y() > kOnBase) {
-      cover.lean[0] = b.x() / b.y();
-    } else if (end == base[1] && a.y() > kOnBase) {
-      cover.lean[1] = (length - a.x()) / a.y();
-    } else if (std::max(a.x(), b.x()) > 0 && std::min(a.x(), b.x()) < length) {
-      cover.borders.push_back({a, b});
+    // The panel is walked around against the base.
+    if (start == base[0]) {
+      cover.add_at_end(0, place(end));
+    } else if (end == base[1]) {
+      cover.add_at_end(1, place(start));
+    } else {
+      cover.add(place(start), place(end));
     }
   }
-  return cover;
+  return cover.take();
 }
 
 }  // namespace foldwright

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
+#include <array>
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "paper/room_profile.h"
+#include "paper/flap_cover.h"
 
 namespace foldwright {
 
@@ -23,8 +23,8 @@ class MeshPanels {
  private:
   const Mesh* mesh_;
   std::vector<int> panel_of_;  ///< per face
-  std::vector<std::vector<std::array<int, 2>>>
-      borders_;  ///< per panel: edges, the panel on their left
+  /// Per panel: edges with the panel on their left.
+  std::vector<std::vector<std::array<int, 2>>> borders_;
 };
 
 }  // namespace foldwright

@@ -1,5 +1,8 @@
 #include "paper/net_panels.h"
 
+#include <map>
+#include <utility>
+
 #include "geometry/union_find.h"
 
 namespace foldwright {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "unfold/net.h"

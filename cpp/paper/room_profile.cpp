@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace foldwright {
@@ -113,23 +112,8 @@ std::optional<Trapezoid> flap_of_height(const RoomProfile& profile,
 
 }  // namespace
 
-FlapCover triangle_cover(double length, const Vec2& apex) {
-  return {.lean = {apex.x() / apex.y(), (length - apex.x()) / apex.y()}};
-}
-
-double height_at(const FlapCover& cover, double length, double x) {
-  double height = std::numeric_limits<double>::infinity();
-  const std::array<double, 2> from_ends = {x, length - x};
-  for (const int end : {0, 1}) {
-    if (cover.lean[end] > 0) height = std::min(height, from_ends[end] / cover.lean[end]);
-  }
-  for (const auto& [a, b] : cover.borders) {
-    const double width = b.x() - a.x();
-    const double share = width == 0 ? 0 : (x - a.x()) / width;
-    const bool is_over = width == 0 ? x == a.x() : share >= 0 && share <= 1;
-    if (is_over) height = std::min(height, a.y() + share * (b.y() - a.y()));
-  }
-  return height;
+std::array<Vec2, 4> Trapezoid::corners() const {
+  return {Vec2(foot[0], 0), Vec2(foot[1], 0), Vec2(top[1], height), Vec2(top[0], height)};
 }
 
 RoomProfile open_room(double length, double most, double bin) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/vec.h"
+#include "paper/flap_cover.h"
 
 namespace foldwright {
 
@@ -21,22 +21,10 @@ struct FlapShape {
 struct Trapezoid {
   double height;
   double foot[2], top[2];
+
+  /// Counter-clockwise from the first foot.
+  std::array<Vec2, 4> corners() const;
 };
-
-/// What hides a flap: the flat panel beyond its base, which the flap must not leave. In the
-/// coordinates of the base, which the panel lies above; mm.
-struct FlapCover {
-  /// How far the borders of the panel at the two ends of the base come in per height; negative
-  /// where they go out.
-  std::array<double, 2> lean = {0, 0};
-  std::vector<std::array<Vec2, 2>> borders = {};  ///< all others that are near
-};
-
-/// The cover that a triangle over a whole base with this apex is.
-FlapCover triangle_cover(double length, const Vec2& apex);
-
-/// How high a cover is over a point of its base.
-double height_at(const FlapCover& cover, double length, double x);
 
 /// The room above the base of a flap: per bin of equal width the height up to which it is free.
 struct RoomProfile {

@@ -5,40 +5,33 @@
 #include <set>
 #include <utility>
 
+#include "paper/outline.h"
+
 namespace foldwright {
 namespace {
 
 // How far the ends of edges may lie off a straight line, in mm: half of what files round to.
 constexpr double kStraight = 0.005;
 
-// What is no higher above the base than this lies on it.
-constexpr double kOnBase = 1e-7;
-
 bool is_cut(const NetEdge& edge) { return edge.assignment == Assignment::kCut; }
 
 /// The panel of a side, seen from the side as a base.
 FlapCover panel_over(const SeamSide& side, const Net& net, const NetPanels& panels) {
-  const int first = net.edges[side.edges.front()].vertices[0];
-  const int last = net.edges[side.edges.back()].vertices[1];
-  const double length = side.length();
   const auto place = [&](int vertex) {
     const Vec2 p = side.local(net.vertices[vertex]);
     return Vec2(p.x(), -p.y());  // into the panel
   };
-  FlapCover cover;
+  CoverBuilder cover(side.length());
   for (const auto& [from, to] : panels.borders(panels.panel_of(side.faces.front()))) {
-    const Vec2 a = place(from);
-    const Vec2 b = place(to);
-    if (std::max(a.y(), b.y()) <= kOnBase) continue;
-    if (to == first && a.y() > kOnBase) {
-      cover.lean[0] = a.x() / a.y();
-    } else if (from == last && b.y() > kOnBase) {
-      cover.lean[1] = (length - b.x()) / b.y();
-    } else if (std::max(a.x(), b.x()) > 0 && std::min(a.x(), b.x()) < length) {
-      cover.borders.push_back({a, b});
+    if (to == side.base[0]) {
+      cover.add_at_end(0, place(from));
+    } else if (from == side.base[1]) {
+      cover.add_at_end(1, place(to));
+    } else {
+      cover.add(place(from), place(to));
     }
   }
-  return cover;
+  return cover.take();
 }
 
 /// An edge of a net of several.
@@ -114,8 +107,10 @@ class CutEdges {
       side.edges.push_back(place.edge);
       side.faces.push_back(panels_[side.net].face_at(place.edge));
     }
-    side.from = net.vertices[net.edges[side.edges.front()].vertices[0]];
-    side.to = net.vertices[net.edges[side.edges.back()].vertices[1]];
+    side.base = {net.edges[side.edges.front()].vertices[0],
+                 net.edges[side.edges.back()].vertices[1]};
+    side.from = net.vertices[side.base[0]];
+    side.to = net.vertices[side.base[1]];
     side.panel = panel_over(side, net, panels_[side.net]);
     return side;
   }
@@ -200,49 +195,60 @@ std::vector<Seam> find_seams(std::span<const Net> nets) {
   return find_seams(nets, panels_of(nets));
 }
 
-std::vector<std::vector<SeamStep>> seam_chains(std::span<const Net> nets,
-                                               std::span<const Seam> seams) {
-  const auto first_vertex = [&](const SeamSide& side) {
-    return nets[side.net].edges[side.edges.front()].vertices[0];
-  };
-  const auto last_vertex = [&](const SeamSide& side) {
-    return nets[side.net].edges[side.edges.back()].vertices[1];
-  };
-  std::map<std::pair<int, int>, SeamStep> starts, ends;  // by net and vertex
+std::map<std::pair<int, int>, SeamStep> seam_starts(std::span<const Seam> seams) {
+  std::map<std::pair<int, int>, SeamStep> starts;
   for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
     for (const int s : {0, 1}) {
       const SeamSide& side = seams[i].sides[s];
-      starts[{side.net, first_vertex(side)}] = {i, s};
-      ends[{side.net, last_vertex(side)}] = {i, s};
+      starts[{side.net, side.base[0]}] = {i, s};
     }
   }
-  // Whether one step comes right after another on both banks.
-  const auto follows = [&](const SeamStep& first, const SeamStep& second) {
-    const SeamSide& a = seams[first.seam].sides[1 - first.side];
-    const SeamSide& b = seams[second.seam].sides[1 - second.side];
-    return a.net == b.net && first_vertex(a) == last_vertex(b);
-  };
+  return starts;
+}
+
+std::vector<std::vector<SeamStep>> steps_along_outlines(std::span<const Net> nets,
+                                                        std::span<const Seam> seams) {
+  const auto starts = seam_starts(seams);
+  std::vector<std::vector<SeamStep>> steps(nets.size());
+  for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
+    for (const std::vector<int>& walk : boundary_walks(nets[n])) {
+      for (const int vertex : walk) {
+        const auto step = starts.find({n, vertex});
+        if (step != starts.end()) steps[n].push_back(step->second);
+      }
+    }
+  }
+  return steps;
+}
+
+std::vector<std::vector<SeamStep>> seam_chains(std::span<const Seam> seams) {
+  const auto starts = seam_starts(seams);
   std::vector<char> seen(seams.size(), 0);
+  // What comes after a step on its bank, as far as it does so on the other one, too.
+  const auto after = [&](SeamStep step) {
+    std::vector<SeamStep> steps;
+    while (true) {
+      const SeamSide& side = seams[step.seam].sides[step.side];
+      const SeamSide& other = seams[step.seam].sides[1 - step.side];
+      const auto next = starts.find({side.net, side.base[1]});
+      if (next == starts.end() || seen[next->second.seam]) return steps;
+      step = next->second;
+      const SeamSide& beyond = seams[step.seam].sides[1 - step.side];
+      if (other.net != beyond.net || other.base[0] != beyond.base[1]) return steps;
+      seen[step.seam] = 1;
+      steps.push_back(step);
+    }
+  };
   std::vector<std::vector<SeamStep>> chains;
   for (int i = 0; i < static_cast<int>(seams.size()); ++i) {
     if (std::exchange(seen[i], 1)) continue;
-    std::vector<SeamStep>& chain = chains.emplace_back(std::vector<SeamStep>{{i, 0}});
-    while (true) {
-      const SeamSide& last = seams[chain.back().seam].sides[chain.back().side];
-      const auto next = starts.find({last.net, last_vertex(last)});
-      if (next == starts.end() || seen[next->second.seam]) break;
-      if (!follows(chain.back(), next->second)) break;
-      seen[next->second.seam] = 1;
-      chain.push_back(next->second);
-    }
-    while (true) {
-      const SeamSide& first = seams[chain.front().seam].sides[chain.front().side];
-      const auto before = ends.find({first.net, first_vertex(first)});
-      if (before == ends.end() || seen[before->second.seam]) break;
-      if (!follows(before->second, chain.front())) break;
-      seen[before->second.seam] = 1;
-      chain.insert(chain.begin(), before->second);
-    }
+    const std::vector<SeamStep> ahead = after({i, 0});
+    // Along the other bank the outline runs the other way.
+    std::vector<SeamStep>& chain = chains.emplace_back(after({i, 1}));
+    std::ranges::reverse(chain);
+    for (SeamStep& step : chain) step.side = 1 - step.side;
+    chain.push_back({i, 0});
+    chain.insert(chain.end(), ahead.begin(), ahead.end());
   }
   return chains;
 }
@@ -298,13 +304,7 @@ std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets,
 
 FlapCover Seam::cover_of(int side) const {
   const SeamSide& other = sides[1 - side];
-  const double length = other.length();
-  // Seen along the base the other way.
-  FlapCover cover = {{other.panel.lean[1], other.panel.lean[0]}, other.panel.borders};
-  for (auto& border : cover.borders) {
-    for (Vec2& p : border) p.x() = length - p.x();
-  }
-  return cover;
+  return seen_back(other.panel, other.length());
 }
 
 }  // namespace foldwright

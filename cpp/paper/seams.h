@@ -1,21 +1,24 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "paper/flap_cover.h"
 #include "paper/net_panels.h"
-#include "paper/room_profile.h"
 
 namespace foldwright {
 
 /// One side of a seam: edges of a net that follow each other in a straight line along a panel.
 struct SeamSide {
   int net;
-  std::vector<int> edges;  ///< of the net, one after the other from `from` to `to`
-  std::vector<int> faces;  ///< beside each of them; indices within the net
-  Vec2 from, to;           ///< the panel lies on their left
-  FlapCover panel;         ///< over the base, into the panel
+  std::vector<int> edges;   ///< of the net, one after the other from `from` to `to`
+  std::vector<int> faces;   ///< beside each of them; indices within the net
+  std::array<int, 2> base;  ///< vertices of the net: where they begin and end
+  Vec2 from, to;            ///< the same; the panel lies on their left
+  FlapCover panel;          ///< over the base, into the panel
 
   int edge() const { return edges.front(); }
   /// A point in the coordinates of the base: x along the edges, y outwards.
@@ -47,11 +50,18 @@ struct SeamStep {
   int seam, side;
 };
 
+/// The sides of seams by their net and the vertex that they start from: at most one, as a net's
+/// vertex stands for one fan of corners.
+std::map<std::pair<int, int>, SeamStep> seam_starts(std::span<const Seam> seams);
+
+/// Per net the sides of its seams as they come along its outlines.
+std::vector<std::vector<SeamStep>> steps_along_outlines(std::span<const Net> nets,
+                                                        std::span<const Seam> seams);
+
 /// Seams that follow each other along both outlines of the same two nets, or of a net and itself:
 /// what is glued in one go. Steps name the sides on one bank, in the order of its outline. Every
 /// seam is in one chain; by the lowest seam.
-std::vector<std::vector<SeamStep>> seam_chains(std::span<const Net> nets,
-                                               std::span<const Seam> seams);
+std::vector<std::vector<SeamStep>> seam_chains(std::span<const Seam> seams);
 
 /// What the joints of the mesh glue together: the border edge first, then its host, which may be a
 /// fold, a side of a cut, or within a flat panel. By joint; those with a side in none of the nets

@@ -28,9 +28,7 @@ std::optional<Trapezoid> half_behind(const SeamSide& side, double angle) {
 /// Whether a box lies within a trapezoid over y = 0, clear of its sides.
 bool holds(const Trapezoid& half, const TextBox& box) {
   const auto corners = box.corners();
-  const std::array<Vec2, 4> outline = {Vec2(half.foot[0], 0), Vec2(half.foot[1], 0),
-                                       Vec2(half.top[1], half.height),
-                                       Vec2(half.top[0], half.height)};
+  const auto outline = half.corners();
   return std::ranges::all_of(corners, [&](const Vec2& p) {
     for (int i = 0; i < 4; ++i) {
       if (cross(outline[(i + 1) % 4] - outline[i], p - outline[i]) < 0) return false;

@@ -12,14 +12,13 @@
 #include <cstdlib>
 #include <ctime>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "paper/packing.h"
-#include "paper/seams.h"
 #include "pipeline/flat_net.h"
+#include "seam_counts.h"
 #include "timed_job.h"
 
 namespace foldwright::testing {
@@ -75,42 +74,6 @@ std::vector<Footprint> prints_of(const JobResult& result) {
   return prints;
 }
 
-/// Seams of a result, how much glue they take, and how often flaps change sides between seams that
-/// join the same two pieces one after the other.
-struct SeamCounts {
-  int seams = 0;
-  double glue = 0;  ///< mm
-  int followers = 0, changes = 0;
-};
-
-SeamCounts count_seams(const JobResult& result) {
-  std::vector<Net> nets;
-  std::set<std::pair<int, int>> flaps;  // by net and edge
-  for (const Piece& piece : result.pieces) {
-    for (const Flap& flap : piece.flaps) flaps.insert({static_cast<int>(nets.size()), flap.edge});
-    nets.push_back(piece.net);
-  }
-  const std::vector<Seam> seams = find_seams(nets);
-  SeamCounts counts;
-  counts.seams = static_cast<int>(seams.size());
-  for (const Seam& seam : seams) counts.glue += seam.sides[0].length();
-  for (const std::vector<SeamStep>& chain : seam_chains(nets, seams)) {
-    const Seam& first = seams[chain.front().seam];
-    if (first.sides[0].net == first.sides[1].net) continue;
-    int last = -1;
-    for (const auto& [seam, side] : chain) {
-      for (const int bank : {0, 1}) {
-        const SeamSide& at = seams[seam].sides[bank == 0 ? side : 1 - side];
-        if (!flaps.contains({at.net, at.edge()})) continue;
-        if (last != -1) ++counts.followers;
-        if (last != -1 && last != bank) ++counts.changes;
-        last = bank;
-      }
-    }
-  }
-  return counts;
-}
-
 Measures measure(const TimedJob& job, const JobOptions& options) {
   const JobResult& result = *job.result;
   const std::vector<Footprint> prints = prints_of(result);
@@ -137,9 +100,10 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   }
   m.values["small"] = texts == 0 ? 0 : 100.0 * small / texts;
   const SeamCounts counted = count_seams(result);
+  const auto& turns = counted.between;
   m.values["seams"] = counted.seams;
   m.values["glue_mm"] = counted.glue;
-  m.values["changes"] = counted.followers == 0 ? 0 : 100.0 * counted.changes / counted.followers;
+  m.values["changes"] = turns.followers == 0 ? 0 : 100.0 * turns.changes / turns.followers;
   m.values["strip"] = 100 * strip_efficiency(result, prints, options.sheet);
   m.values["pieces"] = static_cast<double>(result.pieces.size());
   m.values["sheets"] = result.sheets.sheet_count;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 
 namespace foldwright::testing {

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "parts.h"
 

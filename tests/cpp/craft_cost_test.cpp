@@ -1,4 +1,5 @@
 #include "paper/craft_cost.h"
+#include "paper/flaps.h"
 
 #include <gtest/gtest.h>
 

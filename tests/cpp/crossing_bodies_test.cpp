@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 
 namespace foldwright::testing {

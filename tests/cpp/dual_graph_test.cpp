@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "repair/repair.h"
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "drawn_shapes.h"
 #include "geometry/convex2.h"
 #include "mesh/input_error.h"
 #include "meshes.h"

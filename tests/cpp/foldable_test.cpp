@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawn_shapes.h"
 #include "folding.h"
 #include "meshes.h"
 #include "trees.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "drawn_shapes.h"
 #include "folding.h"
 #include "job_runs.h"
 #include "meshes.h"

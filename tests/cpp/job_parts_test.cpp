@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drawn_shapes.h"
 #include "job_runs.h"
 #include "meshes.h"
 #include "shared_models.h"

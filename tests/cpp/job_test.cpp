@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "drawn_shapes.h"
 #include "job_runs.h"
 #include "meshes.h"
 #include "model_text.h"

@@ -91,55 +91,6 @@ Mesh cube() {
                                           {1, 7, 3}});
 }
 
-Mesh grid_cube(int n) {
-  std::vector<Vec3> positions;
-  std::map<std::array<int, 3>, int> vertices;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [found, is_new] = vertices.emplace(at, static_cast<int>(positions.size()));
-    if (is_new) positions.push_back(2.0 / n * Vec3(at[0], at[1], at[2]) - Vec3(1, 1, 1));
-    return found->second;
-  };
-  std::vector<std::array<int, 3>> faces;
-  for (const int axis : {0, 1, 2}) {
-    for (const int level : {0, n}) {
-      for (int i = 0; i < n * n; ++i) {
-        const auto corner = [&](int x, int y) {
-          std::array<int, 3> at;
-          at[axis] = level;
-          at[(axis + 1) % 3] = i % n + x;
-          at[(axis + 2) % 3] = i / n + y;
-          return vertex(at);
-        };
-        std::array<int, 4> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-        if (level == 0) std::ranges::reverse(quad);
-        faces.push_back({quad[0], quad[1], quad[2]});
-        faces.push_back({quad[0], quad[2], quad[3]});
-      }
-    }
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
-Mesh prism(int sides, double height) {
-  std::vector<Vec3> positions;
-  for (const double y : {0.0, height}) {
-    for (int i = 0; i < sides; ++i) {
-      const double angle = 2 * std::numbers::pi * i / sides;
-      positions.emplace_back(std::cos(angle), y, -std::sin(angle));
-    }
-  }
-  std::vector<std::array<int, 3>> faces;
-  for (int i = 0; i < sides; ++i) {
-    const int next = (i + 1) % sides;
-    faces.push_back({i, next, sides + next});
-    faces.push_back({i, sides + next, sides + i});
-    if (i == 0 || next == 0) continue;
-    faces.push_back({0, next, i});
-    faces.push_back({sides, sides + i, sides + next});
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
 Mesh tetrahedron() {
   return make_mesh({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}},
                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
@@ -241,23 +192,6 @@ Mesh open_strip(int squares) {
     positions.emplace_back(i + 1, 1, 0);
     const int a = 2 * i;
     faces.insert(faces.end(), {{a, a + 2, a + 3}, {a, a + 3, a + 1}});
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
-Mesh l_prism() {
-  const std::vector<Vec2> corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  std::vector<Vec3> positions;
-  for (const double z : {0, 1}) {
-    for (const Vec2& corner : corners) positions.emplace_back(corner.x(), corner.y(), z);
-  }
-  std::vector<Face> faces;
-  for (const auto& [a, b, c] : {Face{0, 1, 2}, Face{0, 2, 3}, Face{0, 3, 5}, Face{3, 4, 5}}) {
-    faces.insert(faces.end(), {{a, c, b}, {a + 6, b + 6, c + 6}});
-  }
-  for (int i = 0; i < 6; ++i) {
-    const int j = (i + 1) % 6;
-    faces.insert(faces.end(), {{i, j, j + 6}, {i, j + 6, i + 6}});
   }
   return make_mesh(std::move(positions), std::move(faces));
 }

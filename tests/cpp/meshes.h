@@ -14,12 +14,6 @@ namespace foldwright::testing {
 /// Unit cube around the origin: 8 vertices, 12 triangles.
 Mesh cube();
 
-/// A cube of side 2 whose sides are `n` x `n` squares of two triangles each.
-Mesh grid_cube(int n);
-
-/// A prism over a regular polygon in the unit circle, with lids; its walls stand along y.
-Mesh prism(int sides, double height);
-
 /// Regular tetrahedron inscribed in the cube of side 2.
 Mesh tetrahedron();
 
@@ -37,9 +31,6 @@ Mesh pretzel();
 
 /// Flat open strip of `squares` unit squares in a row: 2 * squares triangles.
 Mesh open_strip(int squares);
-
-/// Prism over an L: 8 panels, the caps hexagons, and a single valley in the inner corner.
-Mesh l_prism();
 
 /// Square with a front and a back that share all four edges: closed, without volume.
 Mesh two_sided_square();

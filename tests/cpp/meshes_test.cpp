@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "drawn_shapes.h"
+
 namespace foldwright::testing {
 namespace {
 

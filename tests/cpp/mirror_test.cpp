@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawn_shapes.h"
 #include "geometry/random.h"
 #include "geometry/rigid_motion3.h"
 #include "meshes.h"

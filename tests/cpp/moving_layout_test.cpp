@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "trees.h"
 

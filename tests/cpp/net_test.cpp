@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "trees.h"
 

@@ -13,4 +13,11 @@ Net net_of(const Mesh& mesh, double size) {
   return net;
 }
 
+FlapCover triangle_cover(double length, const Vec2& apex) {
+  CoverBuilder cover(length);
+  cover.add_at_end(0, apex);
+  cover.add_at_end(1, apex);
+  return cover.take();
+}
+
 }  // namespace foldwright::testing

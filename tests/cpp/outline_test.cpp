@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "trees.h"
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "nets.h"
+
 namespace foldwright::testing {
 namespace {
 

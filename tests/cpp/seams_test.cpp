@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "nets.h"
 
@@ -65,7 +66,7 @@ TEST(SeamChains, HoldEverySeamOnceAndFollowBothOutlines) {
   const std::vector<Seam> seams = find_seams(nets);
   std::set<int> seen;
   std::size_t longest = 0;
-  for (const std::vector<SeamStep>& chain : seam_chains(nets, seams)) {
+  for (const std::vector<SeamStep>& chain : seam_chains(seams)) {
     longest = std::max(longest, chain.size());
     for (std::size_t i = 0; i < chain.size(); ++i) {
       EXPECT_TRUE(seen.insert(chain[i].seam).second);

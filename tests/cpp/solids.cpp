@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 
 namespace foldwright::testing {

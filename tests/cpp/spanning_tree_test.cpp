@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "drawn_shapes.h"
 #include "meshes.h"
 #include "trees.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "drawn_shapes.h"
 #include "folding.h"
 #include "meshes.h"
 #include "parts.h"

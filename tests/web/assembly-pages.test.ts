@@ -89,7 +89,7 @@ describe('pages that tell how to build a model', () => {
         '40 mm wide, 40 mm high, 40 mm deep',
         '2 pieces on 2 sheets of 210 × 297 mm',
         '4 mountain folds, no valley folds',
-        '8 pairs of edges',
+        '8 seams',
         'about 15 minutes',
         'about 10 minutes',
         'All folds are mountains.',

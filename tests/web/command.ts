@@ -1,6 +1,6 @@
 /** Runs the built command line and looks at what it leaves behind. */
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -66,4 +66,30 @@ export function sharedFolder(): string | null {
   const folder = process.env['FOLDWRIGHT_SHARED'] ?? here;
   const found = existsSync(join(folder, 'models')) ? folder : null;
   return required(found, 'the folder of shared models');
+}
+
+/** A folder with a model in it. */
+export function withModel(
+  text: string,
+  work: (folder: string, model: string) => Promise<void>,
+): Promise<void> {
+  return inFolder((folder) => {
+    const model = join(folder, 'model.obj');
+    writeFileSync(model, text);
+    return work(folder, model);
+  });
+}
+
+export interface WrittenReport {
+  files: string[];
+  options: Record<string, unknown>;
+  parts: number;
+  sheets: number;
+  pieces: object[];
+  segmentation: number[];
+  result_hash: string;
+}
+
+export function readReport(path: string): WrittenReport {
+  return JSON.parse(readFileSync(path, 'utf8')) as WrittenReport;
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf, clipped, halves, leftOf, remainder, sidesOf } from '../../web/export/convex.js';
+import { clipped, halves, leftOf, remainder, sidesOf } from '../../web/export/convex.js';
+import { areaOf } from '../../web/export/polygon.js';
 import type { Point } from '../../web/export/point.js';
 
 const square: Point[] = [

@@ -1,14 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { writeFold } from '../../web/export/fold.js';
 import type { JobResult } from '../../web/model/job.js';
-import {
-  beakResult,
-  boxAndLidResult,
-  cubeResult,
-  layPiece,
-  makeResult,
-  slitResult,
-} from './fixtures.js';
+import { beakResult, boxAndLidResult, cubeResult, makeResult, slitResult } from './fixtures.js';
 import { checkFold, checkNets } from './fold-check.js';
 import {
   parseFold,
@@ -18,6 +11,7 @@ import {
   type NetFrame,
 } from './fold-file.js';
 import { checkKeyFrame } from './key-frame-check.js';
+import { layPiece } from './lay-piece.js';
 
 /** Eight triangles around a point with more than 360 degrees: as a fan they overlap. */
 const saddle = {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { areaOf } from '../../web/export/convex.js';
+import { areaOf } from '../../web/export/polygon.js';
 import { Scene, type VisibleArea } from '../../web/export/hidden-surfaces.js';
 import type { Point } from '../../web/export/point.js';
 import { viewFrom, viewNames, type View } from '../../web/export/view-direction.js';

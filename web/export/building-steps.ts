@@ -10,6 +10,7 @@ import {
   type BuildingStep,
 } from './building-plan.js';
 import type { Border } from '../model/border-order.js';
+import { modelVertices } from '../model/model-vertices.js';
 import type { ModelLine } from './hidden-surfaces.js';
 import { drawModel, fitOfFaces, paperGrey, pieceRgb, ringAround } from './model-picture.js';
 import type { ModelViews } from './model-views.js';
@@ -59,13 +60,10 @@ function seenMiddle(
 }
 
 /** The vertices of the model that an edge of a piece runs between. */
-function modelLineOf({ result }: ModelViews, piece: number, edge: number): ModelLine {
-  const { edges, faces, sources } = result.pieces[piece]!;
-  const ends = [edges[2 * edge]!, edges[2 * edge + 1]!].map((vertex) => {
-    const at = faces.indexOf(vertex);
-    return result.model.faces[3 * sources[Math.floor(at / 3)]! + (at % 3)]!;
-  });
-  return [ends[0]!, ends[1]!];
+function modelLineOf({ result }: ModelViews, at: number, edge: number): ModelLine {
+  const piece = result.pieces[at]!;
+  const vertices = modelVertices(piece, result.model);
+  return [vertices[piece.edges[2 * edge]!]!, vertices[piece.edges[2 * edge + 1]!]!];
 }
 
 /** The model after a step: what is new in its colour, all else in grey. */

@@ -1,18 +1,9 @@
 /** Convex polygons, counter-clockwise, and what remains of them when others are cut away. */
 import type { Point } from './point.js';
+import { areaOf } from './polygon.js';
 
 /** The side of a line on which x * a + y * b + c is not negative. */
 export type HalfPlane = readonly [a: number, b: number, c: number];
-
-/** Area by the shoelace formula: negative for a clockwise walk. */
-export function areaOf(walk: readonly Point[]): number {
-  let twice = 0;
-  walk.forEach(([x, y], i) => {
-    const [u, v] = walk[(i + 1) % walk.length]!;
-    twice += x * v - u * y;
-  });
-  return twice / 2;
-}
 
 /** The half-plane at the left of a way from one point to another; its length is that of the way. */
 export function leftOf([x, y]: Point, [u, v]: Point): HalfPlane {
@@ -84,18 +75,4 @@ export function remainder(
     if (rest.length < 3 || areaOf(rest) <= least) break;
   }
   return outside;
-}
-
-/** Smallest upright box around points. */
-export function boxOf(
-  points: readonly Point[],
-): [left: number, bottom: number, right: number, top: number] {
-  const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const [x, y] of points) {
-    box[0] = Math.min(box[0], x);
-    box[1] = Math.min(box[1], y);
-    box[2] = Math.max(box[2], x);
-    box[3] = Math.max(box[3], y);
-  }
-  return box;
 }

@@ -153,7 +153,7 @@ function length(mm: number): string {
 function factsOf({ plan, result }: CoverInput): [label: string, value: string][] {
   const { model, pieces, sheets } = result;
   const [width, height, depth] = extentsOf(model.vertices).map(length);
-  const time = buildingTime(pieces, plan.steps);
+  const time = buildingTime(result, plan.steps);
   const sum = (kind: 'mountains' | 'valleys'): number =>
     plan.folds.reduce((all, folds) => all + folds[kind], 0);
   const paper = { width: length(sheets[0]!.width), height: length(sheets[0]!.height) };

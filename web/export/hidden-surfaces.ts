@@ -5,8 +5,9 @@
  */
 import type { Model } from '../model/job.js';
 import { dot, vectorAt } from '../model/vector.js';
-import { areaOf, boxOf, clipped, depthIn, remainder, sidesOf, type HalfPlane } from './convex.js';
+import { clipped, depthIn, remainder, sidesOf, type HalfPlane } from './convex.js';
 import type { Point, Segment } from './point.js';
+import { areaOf, boxOf } from './polygon.js';
 import type { View } from './view-direction.js';
 
 /** A part of a face that nothing hides. */

@@ -2,6 +2,7 @@
 import type { Notice } from '../model/job.js';
 import type { Machine } from '../model/print-options.js';
 import { inCuttingOrder } from './cutting-order.js';
+import { boxOf } from './polygon.js';
 import { piecesInQuietZones, quietMargin, registrationMarks } from './registration.js';
 import type { SheetDrawing } from './sheet-drawing.js';
 
@@ -26,20 +27,9 @@ export function forMachine(sheet: SheetDrawing, machine: Machine): SheetDrawing 
 /** Width and height of all that is cut. */
 function extent({ pieces }: SheetDrawing): [width: number, height: number] {
   const points = pieces.flatMap(({ cuts }) => cuts.flat());
-  const range = (axis: 0 | 1): number => {
-    const values = points.map((point) => point[axis]);
-    return values.length > 0 ? reach(values) : 0;
-  };
-  return [range(0), range(1)];
-}
-
-function reach(values: readonly number[]): number {
-  let [least, most] = [values[0]!, values[0]!];
-  for (const value of values) {
-    least = Math.min(least, value);
-    most = Math.max(most, value);
-  }
-  return most - least;
+  if (points.length === 0) return [0, 0];
+  const [left, bottom, right, top] = boxOf(points);
+  return [right - left, top - bottom];
 }
 
 function silhouetteNotices(sheets: readonly SheetDrawing[]): Notice[] {

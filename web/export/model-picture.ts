@@ -2,7 +2,7 @@
 import { partRgb } from '../model/part-colours.js';
 import type { LineStyle } from '../model/print-options.js';
 import { dot, vectorAt, type Vector } from '../model/vector.js';
-import { boxOf } from './convex.js';
+import { boxOf } from './polygon.js';
 import type { Scene, VisibleArea } from './hidden-surfaces.js';
 import type { ModelEdge, ModelViews } from './model-views.js';
 import { dotAround, type Frame, type PictureShape } from './picture-shape.js';

@@ -1,7 +1,7 @@
 /** A model's faces and edges by the pieces that they belong to, and what views show of them. */
 import type { JobResult } from '../model/job.js';
 import { cross, dot, minus, times, vectorAt, type Vector } from '../model/vector.js';
-import { areaOf } from './convex.js';
+import { areaOf } from './polygon.js';
 import { Scene, type ModelLine, type VisibleArea } from './hidden-surfaces.js';
 import type { Point } from './point.js';
 import { viewFrom, viewNames, type View, type ViewName } from './view-direction.js';

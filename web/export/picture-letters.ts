@@ -1,6 +1,6 @@
 /** Where the names of pieces stand in a picture: on what is seen of them, or beside the picture with a line. */
 import type { VisibleArea } from './hidden-surfaces.js';
-import { boxOf } from './convex.js';
+import { boxOf } from './polygon.js';
 import type { Fit } from './model-picture.js';
 import type { ModelViews } from './model-views.js';
 import type { Frame } from './picture-shape.js';

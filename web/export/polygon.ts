@@ -18,3 +18,17 @@ export function isInside([x, y]: Point, walk: readonly Point[]): boolean {
   }
   return inside;
 }
+
+/** Smallest upright box around points. */
+export function boxOf(
+  points: readonly Point[],
+): [left: number, bottom: number, right: number, top: number] {
+  const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of points) {
+    box[0] = Math.min(box[0], x);
+    box[1] = Math.min(box[1], y);
+    box[2] = Math.max(box[2], x);
+    box[3] = Math.max(box[3], y);
+  }
+  return box;
+}

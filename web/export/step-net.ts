@@ -4,7 +4,7 @@ import type { LineStyle, PrintOptions } from '../model/print-options.js';
 import type { BuildingStep } from './building-plan.js';
 import { partnerOf, sideOn } from './building-plan.js';
 import type { Border } from '../model/border-order.js';
-import { boxOf } from './convex.js';
+import { boxOf } from './polygon.js';
 import { valleyColour } from './line-style.js';
 import { hexOf, pieceRgb } from './model-picture.js';
 import type { ModelViews } from './model-views.js';

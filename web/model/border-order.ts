@@ -1,6 +1,7 @@
 import { edgeLength, type CutSide } from './borders.js';
 import type { AssemblyStep } from './assembly-steps.js';
-import type { JobResult, Piece } from './job.js';
+import type { JobResult } from './job.js';
+import { modelVertices } from './model-vertices.js';
 
 /** Two edges that are glued to each other. */
 export type Border = readonly [CutSide, CutSide];
@@ -10,15 +11,6 @@ interface Link {
   border: Border;
   ends: readonly [number, number];
   length: number;
-}
-
-/** The vertex of the model that a vertex of a piece is. */
-function modelVertices({ faces, sources, vertices }: Piece, model: JobResult['model']): Int32Array {
-  const found = new Int32Array(vertices.length / 2);
-  faces.forEach((vertex, at) => {
-    found[vertex] = model.faces[3 * sources[Math.floor(at / 3)]! + (at % 3)]!;
-  });
-  return found;
 }
 
 /** Chains of borders that follow each other; a chain ends where it forks or where nothing follows. */

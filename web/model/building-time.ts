@@ -1,6 +1,6 @@
 import type { AssemblyStep } from './assembly-steps.js';
-import { cutPairs, edgeLength } from './borders.js';
-import type { Piece } from './job.js';
+import { edgeLength } from './borders.js';
+import type { JobResult, Piece } from './job.js';
 
 /**
  * What a careful person needs, in seconds. Calibrated with the three models that Xi et al. built with glue
@@ -14,7 +14,7 @@ export const seconds = {
   cutMillimetre: 0.1,
   /** To score and crease a fold. */
   fold: 6,
-  /** To glue one edge to another, with the time until it holds. */
+  /** To glue one seam, with the time until it holds. */
   glue: 60,
   /** To tape it instead. */
   tape: 10,
@@ -37,12 +37,11 @@ function outlineOf(piece: Piece): number {
 
 /** How long it takes to build a model; see `seconds`. */
 export function buildingTime(
-  pieces: readonly Piece[],
+  { pieces, seams }: Pick<JobResult, 'pieces' | 'seams'>,
   steps: readonly AssemblyStep[],
 ): BuildingTime {
   const cuts = pieces.reduce((sum, piece) => sum + outlineOf(piece), 0);
   const folds = steps.reduce((sum, step) => sum + step.folds, 0);
-  const seams = cutPairs(pieces).length;
   const first = seconds.piece * pieces.length + seconds.cutMillimetre * cuts + seconds.fold * folds;
-  return { glued: first + seconds.glue * seams, taped: first + seconds.tape * seams };
+  return { glued: first + seconds.glue * seams.length, taped: first + seconds.tape * seams.length };
 }

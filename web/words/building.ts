@@ -140,7 +140,7 @@ export const building: BuildingWords = {
     `${mountains === 0 ? 'no mountain folds' : count(mountains, 'mountain fold')}, ` +
     (valleys === 0 ? 'no valley folds' : count(valleys, 'valley fold')),
   seamsLabel: () => 'To join',
-  seams: ({ seams }) => `${count(seams, 'pair')} of edges`,
+  seams: ({ seams }) => `${count(seams, 'seam')}`,
   gluedLabel: () => 'Time with glue',
   tapedLabel: () => 'Time with tape',
   duration,
