@@ -48,8 +48,9 @@ struct Candidate {
 /// A piece in all its turns.
 struct Item {
   std::vector<Candidate> candidates;
-  double area = 0;   ///< of the cells touched
-  double reach = 0;  ///< longer side of the smallest box
+  std::vector<Candidate> straight;  ///< along its grain; empty without one, or if none fits
+  double area = 0;                  ///< of the cells touched
+  double reach = 0;                 ///< longer side of the smallest box
 };
 
 std::vector<Turn> chosen_turns(std::span<const Turn> turns, const Extent& room) {
@@ -82,6 +83,11 @@ std::vector<std::vector<Vec2>> moved(const Footprint& piece, const RigidMotion2&
   return polygons;
 }
 
+Candidate make_candidate(const Footprint& piece, std::span<const Vec2> hull, const Turn& turn) {
+  const RigidMotion2 motion = turn_to_origin(hull, turn);
+  return {motion, rasterize(moved(piece, motion), turn.box)};
+}
+
 Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turns) {
   const std::vector<Vec2> hull = convex_hull(piece.points());
   std::vector<Turn> turns = chosen_turns(turns_of(piece, hull), room);
@@ -90,8 +96,10 @@ Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turn
   turns.resize(std::min(turns.size(), most_turns));
   Item item;
   for (const Turn& turn : turns) {
-    const RigidMotion2 motion = turn_to_origin(hull, turn);
-    item.candidates.push_back({motion, rasterize(moved(piece, motion), turn.box)});
+    item.candidates.push_back(make_candidate(piece, hull, turn));
+  }
+  for (const Turn& turn : straight_turns(piece, hull)) {
+    if (fits(turn.box, room)) item.straight.push_back(make_candidate(piece, hull, turn));
   }
   const PieceRaster& first = item.candidates[0].raster;
   for (const auto& runs : first.rows) {
@@ -103,24 +111,24 @@ Item make_item(const Footprint& piece, const Extent& room, std::size_t most_turn
 
 /// Where a piece goes on a sheet: the place at which it ends highest.
 struct Spot {
-  std::size_t candidate;
+  const Candidate* candidate;
   CellPlace place;
   double bottom;
 };
 
 /// Adds the words of rasters that it looks at to `work`.
-std::optional<Spot> best_spot(const SheetRaster& sheet, const Item& item, std::size_t turns,
+std::optional<Spot> best_spot(const SheetRaster& sheet, std::span<const Candidate> candidates,
                               std::int64_t& work) {
   std::optional<Spot> best;
-  for (std::size_t i = 0; i < std::min(turns, item.candidates.size()); ++i) {
-    const PieceRaster& raster = item.candidates[i].raster;
+  for (const Candidate& candidate : candidates) {
+    const PieceRaster& raster = candidate.raster;
     // Lower places than this end below the best so far.
     const int below =
         best ? static_cast<int>((best->bottom - raster.box.height) / kCell) + 1 : sheet.row_count();
     const auto place = sheet.find(raster, below, &work);
     if (!place) continue;
     const double bottom = place->y * kCell + raster.box.height;
-    if (!best || bottom < best->bottom) best = Spot{i, *place, bottom};
+    if (!best || bottom < best->bottom) best = Spot{&candidate, *place, bottom};
   }
   return best;
 }
@@ -129,7 +137,8 @@ std::optional<Spot> best_spot(const SheetRaster& sheet, const Item& item, std::s
 struct Strategy {
   std::vector<int> order;
   std::size_t turns;
-  std::size_t same = 0;  ///< pieces at the beginning that lie as in the best packing
+  bool straight = false;  ///< whether pieces lie along their grain
+  std::size_t same = 0;   ///< pieces at the beginning that lie as in the best packing
 };
 
 /// Sheets as they fill up. Copies share the sheets that are alike, so that it costs little to
@@ -185,7 +194,7 @@ class Packer::Work {
       if (next_ < strategy.order.size() && !is_hopeless()) {
         history_.resize(next_);
         history_.push_back(sheets_);
-        place(strategy.order[next_++], strategy.turns);
+        place(strategy.order[next_++], strategy);
         continue;
       }
       if (!is_hopeless()) finish();
@@ -233,14 +242,18 @@ class Packer::Work {
     std::ranges::stable_sort(order, std::greater{}, [&](int i) { return items_[i].area; });
     std::vector<int> by_reach = order;
     std::ranges::stable_sort(by_reach, std::greater{}, [&](int i) { return items_[i].reach; });
+    // Turning a piece freely ends it higher, but may spoil the room beside it.
     if (items_.size() > kManyPieces || is_hurried()) {
       strategies_ = {{by_reach, 2}};
-      return;
+    } else {
+      strategies_ = {
+          {order, kAllTurns}, {by_reach, kAllTurns}, {order, 2 * kTight}, {by_reach, 2 * kTight}};
+      if (!task_.parts.empty()) strategies_.push_back({by_part(order), kAllTurns});
     }
-    // Turning a piece freely ends it higher, but may spoil the room beside it.
-    strategies_ = {
-        {order, kAllTurns}, {by_reach, kAllTurns}, {order, 2 * kTight}, {by_reach, 2 * kTight}};
-    if (!task_.parts.empty()) strategies_.push_back({by_part(order), kAllTurns});
+    if (std::ranges::all_of(items_, [](const Item& item) { return item.straight.empty(); })) return;
+    std::vector<Strategy> along = strategies_;
+    for (Strategy& strategy : along) strategy.straight = true;
+    strategies_.insert(strategies_.begin(), along.begin(), along.end());
   }
 
   /// Parts one after the other, the largest first.
@@ -280,11 +293,16 @@ class Packer::Work {
     next_ = strategies_.empty() ? 0 : strategies_[current_].same;
     sheets_ = pinned_;
     history_.clear();
+    aslant_ = 0;
     if (next_ == 0) return;
     sheets_ = best_history_[next_];
     history_.assign(best_history_.begin(),
                     best_history_.begin() + static_cast<std::ptrdiff_t>(next_));
     placed_ = *best_;
+    for (std::size_t i = 0; i < next_; ++i) {
+      const int piece = strategies_[current_].order[i];
+      aslant_ += lies_aslant(task_.pieces[piece], placed_.turns[piece]);
+    }
   }
 
   /// Whether what is placed already takes more paper than the best packing.
@@ -292,18 +310,26 @@ class Packer::Work {
     if (!best_) return false;
     const int count = static_cast<int>(sheets_.count());
     if (count != best_->sheet_count) return count > best_->sheet_count;
+    if (aslant_ != best_->aslant) return aslant_ > best_->aslant;
     return sheets_.used_of_last() > std::ceil(best_->used_height / kEqualHeight) * kEqualHeight;
   }
 
-  void place(int i, std::size_t turns) {
+  /// The turns in which a strategy tries a piece.
+  std::span<const Candidate> turns_for(const Item& item, const Strategy& strategy) const {
+    if (strategy.straight && !item.straight.empty()) return item.straight;
+    return std::span(item.candidates).first(std::min(strategy.turns, item.candidates.size()));
+  }
+
+  void place(int i, const Strategy& strategy) {
     // Each piece fits an empty sheet, so that this ends there at the latest.
     for (std::size_t s = std::max(sheets_.count(), kOpenSheets) - kOpenSheets;; ++s) {
       if (s == sheets_.count()) sheets_.add(task_.room);
-      const auto spot = best_spot(sheets_.raster(s), items_[i], turns, work_);
+      const auto spot = best_spot(sheets_.raster(s), turns_for(items_[i], strategy), work_);
       if (!spot) continue;
-      const Candidate& candidate = items_[i].candidates[spot->candidate];
+      const Candidate& candidate = *spot->candidate;
       sheets_.take(s, candidate.raster, spot->place, task_.gap, spot->bottom);
       placed_.turns[i] = candidate.motion;
+      aslant_ += lies_aslant(task_.pieces[i], candidate.motion);
       placed_.placements[i] = {static_cast<int>(s), spot->place.x * kCell,
                                task_.room.height - spot->bottom};
       return;
@@ -323,10 +349,11 @@ class Packer::Work {
 
   void finish() {
     placed_.sheet_count = static_cast<int>(sheets_.count());
+    placed_.aslant = aslant_;
     placed_.used_height = sheets_.used_of_last();
     const auto cost = [&](const Packing& p) {
-      return std::tuple(p.sheet_count, std::ceil(p.used_height / kEqualHeight), torn_parts(p),
-                        p.used_height);
+      return std::tuple(p.sheet_count, p.aslant, std::ceil(p.used_height / kEqualHeight),
+                        torn_parts(p), p.used_height);
     };
     if (best_ && !(cost(placed_) < cost(*best_))) return;
     best_ = placed_;
@@ -341,6 +368,7 @@ class Packer::Work {
   std::size_t current_ = 0;  ///< strategy
   std::size_t next_ = 0;     ///< of its order
   Packing placed_;
+  int aslant_ = 0;  ///< of what is placed
   std::optional<Packing> best_;
   std::size_t best_strategy_ = 0;
   /// The sheets before each piece of an order is placed: of the one that goes on, and of the best.

@@ -10,6 +10,7 @@ namespace foldwright {
 /// Pieces on sheets of one size, by their true shapes.
 struct Packing {
   int sheet_count = 0;
+  int aslant = 0;                     ///< pieces with a grain that do not lie along it
   double used_height = 0;             ///< of the last sheet, mm from its top
   std::vector<Placement> placements;  ///< per piece, within the margins
   std::vector<RigidMotion2> turns;    ///< per piece: turns it and moves its box to (0, 0)
@@ -30,8 +31,9 @@ struct PackingTask {
 
 /// Packs pieces into rooms: one after the other, each turned and put as far up on the first sheet
 /// as it goes, on a raster of 1 mm that keeps the gap. Of many orders the best is taken, by the
-/// number of sheets and the height used of the last one, and among nearly equal ones that which
-/// tears fewer parts apart. Trying ends after an amount of work that takes a quarter of a second.
+/// number of sheets, the pieces that lie aslant to their grain, and the height used of the last
+/// sheet, and among nearly equal ones that which tears fewer parts apart. Trying ends after an
+/// amount of work that takes a quarter of a second.
 class Packer {
  public:
   /// What the task refers to must outlive the packer. \pre each piece fits the room in some turn

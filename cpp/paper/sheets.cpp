@@ -43,6 +43,9 @@ bool collide(const PlacedPrint& a, const PlacedPrint& b) {
   return false;
 }
 
+// Sine of the turn from which on a piece lies aslant: 0.1 mm over 10 cm.
+constexpr double kAslant = 0.001;
+
 // Printers leave up to this much of the edge white, unless the margin says that this one does not.
 constexpr double kUnprinted = 4;
 
@@ -168,7 +171,11 @@ class SheetPlanner::Work {
   bool step() {
     if (!packer_->step()) return false;
     SheetLayout layout = make_layout(packer_->take());
-    if (!best_ || layout.sheet_count < best_->sheet_count) best_ = std::move(layout);
+    const std::pair cost(layout.sheet_count, aslant_in(layout));
+    if (!best_ || cost < best_cost_) {
+      best_ = std::move(layout);
+      best_cost_ = cost;
+    }
     if (++current_ == sheets_.size()) return true;
     begin();
     return false;
@@ -233,6 +240,15 @@ class SheetPlanner::Work {
     return layout;
   }
 
+  /// How many pieces lie aslant.
+  int aslant_in(const SheetLayout& layout) const {
+    int count = 0;
+    for (std::size_t i = 0; i < task_.pieces.size(); ++i) {
+      count += lies_aslant(task_.pieces[i], layout.turns[i]);
+    }
+    return count;
+  }
+
   SheetTask task_;
   std::vector<Extent> sheets_;  ///< that are tried
   std::size_t current_ = 0;
@@ -240,6 +256,7 @@ class SheetPlanner::Work {
   std::vector<std::optional<Pin>> room_pins_;  ///< from the room's lower left
   std::optional<Packer> packer_;
   std::optional<SheetLayout> best_;
+  std::pair<int, int> best_cost_;  ///< sheets, and pieces that lie aslant
 };
 
 Pin pin_at(const Footprint& piece, int sheet, const RigidMotion2& motion) {
@@ -309,6 +326,31 @@ std::vector<Turn> turns_of(const Footprint& piece, std::span<const Vec2> hull) {
     turns.push_back(turned(hull, {s, -c, {}}));
   }
   return turns;
+}
+
+std::vector<Turn> straight_turns(const Footprint& piece, std::span<const Vec2> hull) {
+  std::vector<Turn> turns;
+  if (!piece.grain) return turns;
+  const double c = std::cos(*piece.grain);
+  const double s = std::sin(*piece.grain);
+  for (const auto& [x, y] : {std::pair(c, -s), {s, c}, {-c, s}, {-s, -c}}) {
+    turns.push_back(turned(hull, {x, y, {}}));
+  }
+  return turns;
+}
+
+bool fits_straight(const Footprint& piece, const Extent& room) {
+  if (!piece.grain) return fits_somehow(piece, room);
+  const std::vector<Turn> turns = straight_turns(piece, convex_hull(piece.points()));
+  return std::ranges::any_of(turns, [&](const Turn& turn) { return fits(turn.box, room); });
+}
+
+bool lies_aslant(const Footprint& piece, const RigidMotion2& motion) {
+  if (!piece.grain) return false;
+  const double c = std::cos(*piece.grain);
+  const double s = std::sin(*piece.grain);
+  const Vec2 along(motion.c * c - motion.s * s, motion.s * c + motion.c * s);
+  return std::min(std::abs(along.x()), std::abs(along.y())) > kAslant;
 }
 
 bool fits_somehow(const Footprint& piece, const Extent& room) {

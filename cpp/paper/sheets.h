@@ -27,7 +27,8 @@ struct SheetOptions {
 /// anywhere in the plane.
 struct Footprint {
   std::vector<std::vector<Vec2>> polygons;
-  double face_area = 0;  ///< without flaps
+  double face_area = 0;              ///< without flaps
+  std::optional<double> grain = {};  ///< see `grain_of`
   /// Cosine and sine of a turn in which it is known to fit the sheet. Flaps that were kept on the
   /// sheet in this turn change the hull, so that it may be none of the hull's upright turns.
   std::optional<std::array<double, 2>> fitting_turn = {};
@@ -77,6 +78,15 @@ struct SheetTask {
 /// fit.
 std::vector<Turn> turns_of(const Footprint& piece, std::span<const Vec2> hull);
 
+/// The turns in which a piece with this convex hull lies along its grain; empty without one.
+std::vector<Turn> straight_turns(const Footprint& piece, std::span<const Vec2> hull);
+
+/// Whether the piece fits the room along its grain, or somehow if it has none.
+bool fits_straight(const Footprint& piece, const Extent& room);
+
+/// Whether a piece that a motion turns lies aslant although it has a grain.
+bool lies_aslant(const Footprint& piece, const RigidMotion2& motion);
+
 /// Whether some of these turns of the piece fits the room.
 bool fits_somehow(const Footprint& piece, const Extent& room);
 
@@ -107,8 +117,9 @@ bool drop_clashing_pins(const SheetTask& task, std::span<const std::optional<Pin
 /// Lays pieces of their finished size, in millimetres, out on sheets by their true shapes, on never
 /// more sheets than rows of bounding boxes take.
 ///
-/// With automatic orientation the one that needs fewer sheets is taken, then portrait; with pins
-/// the first on which they lie. Pinned pieces stay where they are, and the others are packed around
+/// Pieces lie along their grain where that costs no sheet. With automatic orientation the one that
+/// needs fewer sheets is taken, then where fewer lie aslant, then portrait; with pins the first on
+/// which they lie. Pinned pieces stay where they are, and the others are packed around
 /// them. \pre each piece fits a sheet in some turn
 class SheetPlanner {
  public:

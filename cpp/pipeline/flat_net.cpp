@@ -1,5 +1,7 @@
 #include "pipeline/flat_net.h"
 
+#include "paper/grain.h"
+
 namespace foldwright {
 
 DualGraph graph_of(const JobState& state, const FoundNet& found) {
@@ -21,6 +23,7 @@ Footprint footprint_of(const Net& net, std::span<const Flap> flaps) {
   }
   for (const Flap& flap : flaps)
     print.polygons.push_back({flap.corners.begin(), flap.corners.end()});
+  print.grain = grain_of(net);
   return print;
 }
 

@@ -16,6 +16,9 @@ namespace {
 // Halvings of the range of scales that flaps leave open, a twentieth of the size: to a thousandth.
 constexpr int kFlapTrials = 6;
 
+// Pieces that lie along the sheet are worth a tenth of their size.
+constexpr double kWorthStraight = 0.9;
+
 /// The plates of a net between the folds that may be cut, and these as indices into its folds.
 struct CuttablePlates {
   Plates plates;
@@ -98,8 +101,9 @@ void check_panels_fit(const JobState& state) {
   }
 }
 
-ScaleFinder::ScaleFinder(const JobState& state)
-    : state_(state), high_(fitting_scale(bare_footprints(state), state.options.sheet)) {
+ScaleFinder::ScaleFinder(const JobState& state) : state_(state) {
+  const std::vector<Footprint> prints = bare_footprints(state);
+  high_ = fitting_scale(prints, state.options.sheet);
   const Extent room = printable(state.options.sheet);
   // A tiny sheet may hold no net with flaps on both sides; then they are kept off its edge.
   const double spare = 1 - 2 * state.options.flaps.shape.height / std::min(room.width, room.height);
@@ -109,9 +113,41 @@ ScaleFinder::ScaleFinder(const JobState& state)
     high_ = earlier->scale;
     low_ = std::min(low_, high_);
   }
+  // What was laid out once keeps its size.
+  may_straighten_ = !earlier && std::ranges::any_of(prints, [](const Footprint& print) {
+    return print.grain.has_value();
+  });
 }
 
 bool ScaleFinder::step() {
+  if (is_straight_) return step_straight();
+  if (!step_freely()) return false;
+  if (!may_straighten_) return true;
+  is_straight_ = true;
+  free_ = high_ = low_;
+  low_ = kWorthStraight * free_;
+  trials_ = -2;
+  return false;
+}
+
+/// Of the largest and the smallest scale that would do first.
+bool ScaleFinder::step_straight() {
+  if (trials_ == -2 && fits_at(high_)) {
+    low_ = high_;
+    return true;
+  }
+  if (trials_ == -1 && !fits_at(low_)) {
+    low_ = free_;
+    return true;
+  }
+  if (trials_ >= 0) {
+    const double middle = 0.5 * (low_ + high_);
+    (fits_at(middle) ? low_ : high_) = middle;
+  }
+  return ++trials_ == kFlapTrials;
+}
+
+bool ScaleFinder::step_freely() {
   if (trials_ == 0 && fits_at(high_)) {
     low_ = high_;
     return true;
@@ -127,7 +163,8 @@ bool ScaleFinder::fits_at(double scale) const {
   const FlapPlan plan = place_flaps(state_.surface->mesh, nets, state_.options.flaps);
   const Extent room = printable(state_.options.sheet);
   for (std::size_t i = 0; i < nets.size(); ++i) {
-    if (!fits_somehow(footprint_of(nets[i], plan.flaps[i]), room)) return false;
+    const Footprint print = footprint_of(nets[i], plan.flaps[i]);
+    if (!(is_straight_ ? fits_straight(print, room) : fits_somehow(print, room))) return false;
   }
   return true;
 }

@@ -27,11 +27,16 @@ class ScaleFinder {
   double scale() const { return low_; }
 
  private:
+  bool step_freely();
+  bool step_straight();
   bool fits_at(double scale) const;
 
   const JobState& state_;
   double low_, high_;
   int trials_ = 0;
+  bool may_straighten_ = false;
+  bool is_straight_ = false;  ///< whether pieces are to fit along their grain
+  double free_ = 0;           ///< the scale that is found if they need not
 };
 
 /// What a step of work comes to that ends where a single face is larger than a sheet.

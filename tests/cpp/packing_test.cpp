@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geometry/convex2.h"
 #include "geometry/random.h"
 
@@ -34,6 +36,38 @@ void expect_apart(const std::vector<Footprint>& pieces, const Packing& packing) 
       EXPECT_FALSE(convex_overlap(placed(pieces[i], packing, i), placed(pieces[j], packing, j), 0));
     }
   }
+}
+
+/// A rectangle with the grain of its sides, lying aslant.
+Footprint slanted(double width, double height, double angle) {
+  Footprint piece = rectangle(width, height);
+  for (Vec2& p : piece.polygons[0]) {
+    p = Vec2(std::cos(angle) * p.x() - std::sin(angle) * p.y(),
+             std::sin(angle) * p.x() + std::cos(angle) * p.y());
+  }
+  piece.grain = angle;
+  return piece;
+}
+
+TEST(Packer, LaysPiecesAlongTheirGrain) {
+  // Across the room the strip would end higher.
+  const std::vector<Footprint> pieces = {slanted(200, 10, 0.3), slanted(50, 40, 1.2)};
+  for (const int effort : {1, 60}) {
+    const Packing packing = pack({.pieces = pieces, .room = {190, 250}, .effort = effort});
+    EXPECT_EQ(packing.sheet_count, 1);
+    EXPECT_EQ(packing.aslant, 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      EXPECT_FALSE(lies_aslant(pieces[i], packing.turns[i])) << i;
+    }
+    expect_apart(pieces, packing);
+  }
+}
+
+TEST(Packer, LaysPiecesAslantWhereThatSavesASheet) {
+  const std::vector<Footprint> pieces = {slanted(230, 10, 0.3)};
+  const Packing packing = pack({.pieces = pieces, .room = {190, 190}});
+  EXPECT_EQ(packing.sheet_count, 1);
+  EXPECT_EQ(packing.aslant, 1);
 }
 
 TEST(Packer, FindsWithMoreEffortNothingWorse) {

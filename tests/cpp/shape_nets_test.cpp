@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "craft_shapes.h"
 #include "drawn_shapes.h"
 #include "job_runs.h"
+#include "paper/grain.h"
 #include "seam_counts.h"
 
 namespace foldwright::testing {
@@ -41,6 +43,20 @@ TEST(ShapeNets, OfAnExtrudedLAreOnePiece) {
   const Outcome outcome = unfold(l_prism());
   expect_sound(outcome);
   EXPECT_LE(outcome.result->pieces.size(), 2u);
+}
+
+TEST(ShapeNets, LieAlongTheSheetAlsoWhereTheyFillIt) {
+  for (const CraftShape& shape : craft_shapes()) {
+    if (shape.solid.name != "house" && shape.solid.name != "prism 6") continue;
+    SCOPED_TRACE(shape.solid.name);
+    const Outcome outcome = run_file(obj_of(shape.solid), "model.obj", {});
+    expect_sound(outcome);
+    for (const Piece& piece : outcome.result->pieces) {
+      const auto grain = grain_of(piece.net);
+      ASSERT_TRUE(grain);
+      EXPECT_NEAR(std::sin(2 * *grain), 0, 1e-6);
+    }
+  }
 }
 
 }  // namespace
