@@ -150,6 +150,7 @@ val label_value(const Label& label) {
   object.set("angle", label.angle * 180 / std::numbers::pi);
   object.set("size", label.size);
   if (label.leader) object.set("leader", doubles(coordinates_of(std::array{*label.leader})));
+  if (label.is_beside) object.set("isBeside", true);
   return object;
 }
 

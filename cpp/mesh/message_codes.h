@@ -90,6 +90,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "parts-raised",
     "pin-lost",
     "sheet-split",
+    "smaller-saves-sheets",
     "unchecked-pieces",
     "unit-guessed",
     "up-guessed",

@@ -24,8 +24,9 @@ struct Label {
   Vec2 centre;   ///< of its box
   double angle;  ///< of its baseline in radians, in (-pi/2, pi/2]: never upside down
   double size;   ///< of the font; mm
-  /// From the text to the edge that it names, where it stands apart from it.
+  /// From the text to what it names, where it stands apart from it.
   std::optional<Stroke> leader = {};
+  bool is_beside = false;  ///< beside the piece, on what is cut off
 };
 
 /// A seam with what is printed at it.

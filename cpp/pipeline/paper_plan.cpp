@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesh/input_error.h"
+#include "paper/outer_names.h"
 #include "paper/seam_ids.h"
 #include "pipeline/flat_net.h"
 #include "pipeline/model_size.h"
@@ -85,6 +86,17 @@ bool PaperPlanner::step() {
     case Phase::kLabels:
       if (!labels_->step()) return false;
       plan_.labels = labels_->take();
+      write_outer_names({plan_.draft.prints, plan_.draft.sheets, state_.options.sheet, plan_.strips,
+                         plan_.draft.names},
+                        plan_.labels);
+      progress_ = 0.9;
+      if (in_a_hurry_ || earlier_paper(state_)) return true;
+      saver_.emplace(state_, plan_.draft.sheets);
+      phase_ = Phase::kSmaller;
+      return false;
+    case Phase::kSmaller:
+      if (!saver_->step()) return false;
+      if (const auto scale = saver_->scale()) plan_.smaller = {*scale, saver_->sheets()};
       progress_ = 1;
       return true;
   }

@@ -4,6 +4,7 @@
 #include "paper/strips.h"
 #include "pipeline/paper_draft.h"
 #include "pipeline/recut_nets.h"
+#include "pipeline/sheet_saver.h"
 
 namespace foldwright {
 
@@ -13,10 +14,17 @@ struct PaperPlan {
   std::vector<Strip> strips;  ///< by id
   int taped = 0;              ///< edges that want a flap and have neither flap nor strip
   LabelPlan labels;
+  /// A slightly smaller scale that would save sheets, mm per model unit, and what it needs.
+  struct Smaller {
+    double scale;
+    int sheets;
+  };
+  std::optional<Smaller> smaller;
 };
 
 /// Scales the nets of a state as its options ask, cuts those again that are too large for the
-/// sheet, adds flaps, packs them, adds strips and labels; step by step.
+/// sheet, adds flaps, packs them, adds strips and labels, and looks whether a little smaller it
+/// would need fewer sheets; step by step.
 ///
 /// Without a wish for a size the largest net just fits with its flaps, and nothing is cut. With
 /// one, flaps stay within the sheet where a net fits it only without them. With a number of sheets
@@ -38,7 +46,7 @@ class PaperPlanner {
   PaperPlan take() { return std::move(plan_); }
 
  private:
-  enum class Phase { kScale, kSearch, kDraft, kStrips, kLabels };
+  enum class Phase { kScale, kSearch, kDraft, kStrips, kLabels, kSmaller };
 
   bool takes_too_many_sheets() const;
   void begin_search();
@@ -59,6 +67,7 @@ class PaperPlanner {
   } range_;
   std::optional<PaperDrafter> drafter_;
   std::optional<LabelPlacer> labels_;
+  std::optional<SheetSaver> saver_;
   std::vector<int> tape_;     ///< mesh edges to mark, ascending
   std::vector<Seam> joints_;  ///< as the nets lie on their sheets
   PaperPlan plan_;

@@ -120,6 +120,27 @@ void add_size_notices(JobState& state) {
   }
 }
 
+/// A size, in whole millimetres, at which the model would need fewer sheets.
+void add_smaller_notice(JobState& state, const SheetLayout& sheets,
+                        const std::optional<PaperPlan::Smaller>& smaller) {
+  if (!smaller) return;
+  const Vec3 extent = extents(state.surface->mesh);
+  const bool by_width = state.options.size.by == Sizing::kWidth;
+  const bool by_depth = state.options.size.by == Sizing::kDepth;
+  const double along = by_width ? extent.x() : by_depth ? extent.z() : extent.y();
+  const double size = std::floor(along * smaller->scale);
+  // A flat model has no height, and of a tiny one a millimetre is much.
+  if (size < 20) return;
+  state.notices.push_back({"smaller-saves-sheets",
+                           {{"what", by_width   ? "width"
+                                     : by_depth ? "depth"
+                                                : "height"},
+                            {"size_mm", size},
+                            {"instead_mm", along * sheets.scale},
+                            {"sheets", smaller->sheets},
+                            {"of", sheets.sheet_count}}});
+}
+
 /// What is glued although no face continues it.
 void add_joint_notice(JobState& state) {
   const std::size_t count = state.surface->mesh.joints.size();
@@ -180,6 +201,7 @@ class PaperStage : public Stage {
       result.nets.push_back(save_net(state.components[net.region.component], net));
     }
     add_size_notices(state);
+    add_smaller_notice(state, result.sheets, plan_->smaller);
     add_joint_notice(state);
     add_pin_notice(state, draft.lost_pins);
     add_neck_notice(state);

@@ -65,20 +65,6 @@ Solid extruded(std::string name, const std::vector<Vec2>& base, double depth) {
   return solid;
 }
 
-/// As they are, each with the corners after those of the one before.
-Solid together(std::string name, const std::vector<Solid>& solids) {
-  Solid all{std::move(name), {}, {}};
-  for (const Solid& solid : solids) {
-    const auto first = static_cast<int>(all.positions.size());
-    all.positions.insert(all.positions.end(), solid.positions.begin(), solid.positions.end());
-    for (std::vector<int> polygon : solid.polygons) {
-      for (int& corner : polygon) corner += first;
-      all.polygons.push_back(std::move(polygon));
-    }
-  }
-  return all;
-}
-
 Solid cube(int n) {
   constexpr double kSide = 60;
   Solid solid{n == 1 ? "cube" : "grid cube", {}, {}};
@@ -323,6 +309,19 @@ std::vector<CraftShape> craft_shapes() {
   shapes.push_back(as_cut(icosphere(), 1));
   shapes.push_back({revolved("vase 24x12", vase_profile(), 24, true, false), vase_by_hand(), 12});
   return shapes;
+}
+
+Solid together(std::string name, const std::vector<Solid>& solids) {
+  Solid all{std::move(name), {}, {}};
+  for (const Solid& solid : solids) {
+    const auto first = static_cast<int>(all.positions.size());
+    all.positions.insert(all.positions.end(), solid.positions.begin(), solid.positions.end());
+    for (std::vector<int> polygon : solid.polygons) {
+      for (int& corner : polygon) corner += first;
+      all.polygons.push_back(std::move(polygon));
+    }
+  }
+  return all;
 }
 
 std::string obj_of(const Solid& solid) {

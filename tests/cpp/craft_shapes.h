@@ -22,6 +22,9 @@ struct CraftShape {
 /// which is what any net in one piece cuts at least; for the torus and the vase bands around them.
 std::vector<CraftShape> craft_shapes();
 
+/// As they are, each with its corners after those of the one before.
+Solid together(std::string name, const std::vector<Solid>& solids);
+
 /// The text of an OBJ file with the polygons of a solid.
 std::string obj_of(const Solid& solid);
 

@@ -33,9 +33,7 @@ TEST(GrainOf, IsTheDirectionOfABox) {
   }
 }
 
-TEST(GrainOf, IsThatOfTheStripOfACylinder) {
-  EXPECT_TRUE(grain_of(net_of(prism(32, 2), 50)));
-}
+TEST(GrainOf, IsThatOfTheStripOfACylinder) { EXPECT_TRUE(grain_of(net_of(prism(32, 2), 50))); }
 
 TEST(GrainOf, IsThereOnlyWhereManyLinesAreParallel) {
   EXPECT_FALSE(grain_of(net_of(bumpy_sphere(300), 50)));

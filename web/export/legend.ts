@@ -4,7 +4,7 @@ import { bandOf, type SheetFrame, type Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
-import { capHeight, widthAtMost, type TextLine } from './text-line.js';
+import { capHeight, walkAround, widthAtMost, type TextLine } from './text-line.js';
 
 /** A sample at (0, 0), if it is more than words, and what it means. */
 interface Entry {
@@ -128,9 +128,11 @@ function onFreeSpace(sheet: SheetDrawing, entries: Entry[], margin: number): She
     right: sheet.width - margin,
     top: sheet.height - margin,
   };
+  // Those at the left edge of the sheet lie outside the area.
+  const upright = sheet.frame.texts.filter(({ angle }) => angle === 0);
   const space = new FreeSpace(
     area,
-    sheet.pieces.flatMap(({ cuts }) => cuts),
+    [...sheet.pieces.flatMap(({ cuts }) => cuts), ...upright.map(walkAround)],
     clearance,
   );
   // High, low and broad.

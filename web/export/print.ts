@@ -16,7 +16,7 @@ import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
 import { forMachine, machineNotices } from './machine.js';
-import { drawPieces, type SheetDrawing } from './sheet-drawing.js';
+import { drawNamesBeside, drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
 
 /** What sheets are made of. */
@@ -108,6 +108,9 @@ function drawFronts({ result, title, margin, options }: PrintInput): SheetDrawin
     const ends = isTwoSided ? crossRoom : 0;
     const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends });
     if (isTwoSided) frame.strokes.push(...alignmentCrosses(width, height, margin));
+    const names = drawNamesBeside(result, sheet);
+    frame.strokes.push(...names.strokes);
+    frame.texts.push(...names.texts);
     return { width, height, pieces: drawPieces(result, sheet, options), frame };
   });
 }

@@ -143,8 +143,10 @@ function lineOf({ text, x, y, angle, size }: PieceLabel, dx = 0, dy = 0): TextLi
   return centredLine({ text, x: x + dx, y: y + dy, angle, size });
 }
 
+const isOnPiece = ({ isBeside }: PieceLabel): boolean => isBeside !== true;
+
 function drawGuides({ jointLines, labels, tapeMarks, x, y }: Piece): Segment[] {
-  const leaders = labels.flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
+  const leaders = labels.filter(isOnPiece).flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
   return [...leaders, ...segmentsOf(tapeMarks, x, y), ...segmentsOf(jointLines, x, y)];
 }
 
@@ -174,7 +176,7 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
   const valleys = drawFolds(piece, 'V', flatFold, at);
   const guides = drawGuides(piece);
   const hasTape = piece.tapeMarks.length > 0;
-  const texts = piece.labels.map((label) => lineOf(label, piece.x, piece.y));
+  const texts = piece.labels.filter(isOnPiece).map((label) => lineOf(label, piece.x, piece.y));
   if (foldAngles) {
     const underlines = texts
       .filter(({ underlined }) => underlined)
@@ -184,6 +186,22 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
   }
   const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
   return { letter: piece.name, cuts, mountains, valleys, guides, hasTape, flaps, texts };
+}
+
+/** The names of pieces on sheet number `sheet` that have no room on their piece, counted from 0. */
+export function drawNamesBeside({ pieces }: JobResult, sheet: number): SheetFrame {
+  const names: SheetFrame = { strokes: [], texts: [] };
+  for (const piece of pieces) {
+    if (piece.sheet !== sheet) continue;
+    for (const label of piece.labels) {
+      if (isOnPiece(label)) continue;
+      names.texts.push(lineOf(label, piece.x, piece.y));
+      if (label.leader) {
+        names.strokes.push({ points: pointsOf(label.leader, piece.x, piece.y), closed: false });
+      }
+    }
+  }
+  return names;
 }
 
 /** The pieces and loose strips on sheet number `sheet`, counted from 0. */

@@ -71,6 +71,19 @@ export function underlineOf({ text, at, angle, size }: TextLine): { line: Segmen
   return { line: [on(-half), on(half)], width };
 }
 
+/** A box around a text that stands upright, from one corner to the next. */
+export function walkAround({ text, at: [x, y], anchor, size }: TextLine): Point[] {
+  const width = widthAtMost(text, size);
+  const left = anchor === 'start' ? x : x - width / 2;
+  const [right, top] = [left + width, y + capHeight * size];
+  return [
+    [left, y],
+    [right, y],
+    [right, top],
+    [left, top],
+  ];
+}
+
 /** The text of a label, whose place is the middle of its box; underlined where it could be read upside down. */
 export function centredLine({ text, x, y, angle, size }: PieceLabel): TextLine {
   const underlined = isAmbiguous(text);

@@ -166,8 +166,10 @@ export interface PieceLabel {
   angle: number;
   /** Of the font. */
   size: number;
-  /** Where it stands apart from its edge: x and y of both ends of a line that leads there. */
+  /** Where it stands apart from what it names: x and y of both ends of a line that leads there. */
   leader?: Float64Array;
+  /** Whether it stands beside the piece, on what is cut off. */
+  isBeside?: boolean;
 }
 
 /** A loose strip of paper, to be glued behind both sides of a cut edge that has no flap. */

@@ -226,6 +226,9 @@ export const english: Table = {
   'pin-lost': ({ count: number }) =>
     `${figure(number)} pinned ${choose(number, 'piece is', 'pieces are')} no longer there as they were, ` +
     'and were laid out anew',
+  'smaller-saves-sheets': ({ what, size_mm, instead_mm, sheets, of }) =>
+    `with a ${what} of ${figure(size_mm)} mm instead of ${figure(Math.round(instead_mm))} it should go on ` +
+    `${count(sheets, 'sheet')} instead of ${figure(of)}`,
   'sheet-split': ({ part, pieces: number }) =>
     `part ${figure(part)} is too large for the sheet and was cut into ${figure(number)} pieces`,
   'unchecked-pieces': uncheckedPieces,

@@ -135,6 +135,13 @@ export interface EngineMessages {
     | { what: 'bodies'; bodies: number }
     | { what: 'pieces'; parts: number; pieces: number; instead: number };
   'pin-lost': Counted;
+  'smaller-saves-sheets': {
+    what: 'height' | 'width' | 'depth';
+    size_mm: number;
+    instead_mm: number;
+    sheets: number;
+    of: number;
+  };
   'sheet-split': { part: number; pieces: number };
   'unchecked-pieces': { what: 'off' | 'cancelled' | 'kept' | 'huge' | 'large'; pieces: string[] };
   'unit-guessed': { unit: 'mm' | 'cm' | 'm' | 'in' };
