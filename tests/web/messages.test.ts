@@ -48,6 +48,13 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     {
+      code: 'smaller-saves-sheets',
+      params: { what: 'height', size_mm: 148, instead_mm: 150.2, sheets: 1, of: 2 },
+    },
+    'with a height of 148 mm instead of 150 it should go on 1 sheet instead of 2',
+  ],
+  [
+    {
       code: 'bad-index',
       params: { place: 'line', at: 6, what: 'beyond', index: 99, vertices: 4, first: 1 },
     },

@@ -81,6 +81,46 @@ describe('names', () => {
   });
 });
 
+describe('a name beside its piece', () => {
+  const beside = (): JobResult => {
+    const result = cubeResult();
+    const [piece] = result.pieces;
+    // In the lower right corner, where the legend would go.
+    const name = { text: 'A', x: 175, y: 7, angle: 0, size: 2.5 };
+    piece!.labels = [{ ...name, isBeside: true, leader: Float64Array.of(174, 7, 170, 7) }];
+    return result;
+  };
+
+  it('is drawn with the frame of the sheet, with its line', async () => {
+    const { sheets } = await printOf(beside());
+    const [{ pieces, frame } = { pieces: [], frame: { texts: [], strokes: [] } }] = sheets;
+    expect(pieces[0]!.texts).toEqual([]);
+    expect(pieces[0]!.guides).toEqual([]);
+    const { x, y } = beside().pieces[0]!;
+    const name = frame.texts.find(({ text }) => text === 'A')!;
+    expect(name.at[0]).toBeCloseTo(x + 175, 9);
+    const lines = frame.strokes.map(({ points }) => points);
+    expect(lines).toContainEqual([
+      [x + 174, y + 7],
+      [x + 170, y + 7],
+    ]);
+  });
+
+  it('keeps the legend off its place', async () => {
+    const boxes = async (result: JobResult) => {
+      const { texts } = (await printOf(result)).sheets[0]!.frame;
+      const cut = texts.find(({ text }) => text === 'cut')!;
+      return cut.at;
+    };
+    expect(await boxes(beside())).not.toEqual(await boxes(cubeResult()));
+  });
+
+  it('stays away where a machine cuts', async () => {
+    const { sheets } = await printOf(beside(), { options: { machine: 'generic' } });
+    expect(sheets[0]!.frame).toEqual({ strokes: [], texts: [] });
+  });
+});
+
 describe('corrected sheets', () => {
   it('are longer where the printer is short, per axis and about the middle', async () => {
     const plain = await printOf(cubeResult());
