@@ -17,6 +17,13 @@ const own = Object.keys({
   'fonts-not-loaded': 0,
   'marks-not-free': 0,
   'cricut-area': 0,
+  'missing-names': 0,
+  'missing-flaps': 0,
+  'missing-numbers': 0,
+  'overlapping-pieces': 0,
+  'short-seams': 0,
+  'empty-sheet': 0,
+  'tiny-pieces': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
 async function engineCodes(): Promise<string[]> {
@@ -26,6 +33,30 @@ async function engineCodes(): Promise<string[]> {
 
 /** One for each sentence of a code that has several, and for each form of a plural. */
 const examples: readonly [KnownMessage, string][] = [
+  [
+    { code: 'overlapping-pieces', params: { pieces: ['B'] } },
+    'piece B overlaps itself and cannot be cut out whole',
+  ],
+  [
+    { code: 'overlapping-pieces', params: { pieces: ['B', 'C'] } },
+    'pieces B, C overlap themselves and cannot be cut out whole',
+  ],
+  [
+    { code: 'missing-names', params: { pieces: ['B'] } },
+    'no room for its name on piece B; short names need less',
+  ],
+  [
+    { code: 'missing-names', params: { pieces: [...'ABCDEFGHIJKLMNO'] } },
+    'no room for their names on pieces A, B, C, D, E, F, G, H, I, J, K, L and 3 more; short names need less',
+  ],
+  [
+    { code: 'empty-sheet', params: { sheet: 4, percent: 0, pieces: [] } },
+    'the last sheet, number 4, is almost empty: less than 1 % of it is used, by loose strips',
+  ],
+  [
+    { code: 'short-seams', params: { median_mm: 2.04, depth: 260 } },
+    'half of the seams are at most 2 mm long, which is hard to glue; easier to build: 260 mm deep (--depth 260)',
+  ],
   [
     { code: 'marks-not-free', params: { pieces: ['A', 'C'], margin_mm: 30 } },
     'the machine looks for its marks where something is cut: a margin of 30 mm keeps them free; pieces A, C',

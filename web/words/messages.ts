@@ -154,6 +154,30 @@ export interface OwnMessages {
   'missing-glyphs': { letters: string[] };
   'fonts-not-loaded': None;
   'marks-not-free': { pieces: string[]; margin_mm: number };
+  'missing-names': { pieces: string[] };
+  'missing-flaps': Counted & {
+    narrow: number;
+    thin: number;
+    blocked: number;
+    short: number;
+    /** Of the length of all seams. */
+    percent: number;
+    /** How many of them have loose strips. */
+    strips: number;
+    pieces: string[];
+  };
+  'missing-numbers': { seams: string[] };
+  'overlapping-pieces': { pieces: string[] };
+  /** With the size and the number of faces at which they are long enough, if there are any. */
+  'short-seams': {
+    median_mm: number;
+    height?: number;
+    width?: number;
+    depth?: number;
+    faces?: number;
+  };
+  'empty-sheet': { sheet: number; percent: number; pieces: string[] };
+  'tiny-pieces': { pieces: string[] };
   'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
 }
 
