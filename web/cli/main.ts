@@ -9,6 +9,7 @@ import { nodePool } from '../core/node-pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import { reportText } from '../export/report-text.js';
 import type { JobOptions } from '../model/job.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import type { ModelFiles } from '../model/model-files.js';
@@ -102,7 +103,7 @@ function renderReport(
     printed: print.notices,
     seconds: result.seconds,
   });
-  return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
+  return [{ path: report, content: reportText(content) }];
 }
 
 /** Everything that was done to the model, and what to know before it is printed. */
