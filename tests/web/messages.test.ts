@@ -181,6 +181,47 @@ const examples: readonly [KnownMessage, string][] = [
     'clearance must be from 0.0001 to 0.2',
   ],
   [
+    {
+      code: 'bad-option',
+      params: {
+        what: 'value',
+        option: 'cutWidth',
+        value: '5',
+        expected: 'decimal',
+        least: 0.01,
+        most: 2,
+        or: 'style',
+      },
+    },
+    "option 'cutWidth': '5' is not a number from 0.01 to 2, nor style",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'no-option', option: 'colour' } },
+    "there is no option 'colour'",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'fixed', option: 'parts' } },
+    "option 'parts' cannot be changed here",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'second-size', option: 'width', first: 'height' } },
+    "option 'width': the size is given by 'height' already",
+  ],
+  [
+    {
+      code: 'bad-option',
+      params: { what: 'no-paper-left', option: 'margin', margin_mm: 105, paper: 'A4' },
+    },
+    "option 'margin': 105 mm leave nothing of A4 paper",
+  ],
+  [
+    {
+      code: 'bad-option',
+      params: { what: 'pixels', dpi: 1200, width_mm: 420, height_mm: 594.04, possible: 622 },
+    },
+    '1200 dots per inch are too many for sheets of 420 x 594 mm: 622 are possible',
+  ],
+  [
     { code: 'bad-option', params: { what: 'height', most: 100000 } },
     'height must be above 0 and at most 100000 mm',
   ],

@@ -3,12 +3,7 @@ import { resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
-import {
-  changedSettings,
-  isSameLook,
-  lookOptions,
-  type Options,
-} from '../model/written-options.js';
+import { changedSettings, isSameLook, lookOptions, type Options } from '../api/written-options.js';
 import type { FinishedRun } from './finished-run.js';
 import { leadSentence, noticeRemarks, repairRemarks, resultFacts } from './result-words.js';
 import { Panel } from './panel.js';

@@ -1,5 +1,6 @@
 /** The English table: a phrase for every message, which may be part of a line. */
 import { fileMessages } from './en-files.js';
+import { optionWords } from './en-options.js';
 import { paperMessages } from './en-paper.js';
 import type { Messages, Table } from './messages.js';
 import { all, choose, count, figure, parts, pieces } from './numbers.js';
@@ -86,6 +87,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'unreadable':
     case 'written':
       return params.detail;
+    default:
+      return optionWords(params);
   }
 }
 

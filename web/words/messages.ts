@@ -3,11 +3,22 @@
  * the programs around it. Where a code has several sentences, `what` says which.
  */
 
+import type { ValueFault } from '../model/option-values.js';
+import type { PixelExcess } from '../model/pixels.js';
+
 type None = Record<never, never>;
 type Counted = { count: number };
 /** Where something stands in a file: line 23. */
 type At = { place: 'line' | 'vertex' | 'face' | 'element' | 'triangle' | 'count'; at: number };
 type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
+/** What is wrong with an option is seen here before the engine sees it. */
+export type OptionFault =
+  | { what: 'no-option' | 'fixed'; option: string }
+  | ({ what: 'value'; option: string; value: string } & ValueFault)
+  | { what: 'second-size'; option: string; first: string }
+  | { what: 'no-paper-left'; option: string; margin_mm: number; paper: string }
+  | ({ what: 'pixels' } & PixelExcess);
+
 type Bounded<What extends string> = { what: What; least: number; most: number };
 
 /** Parameters by the codes of the engine. */
@@ -89,7 +100,8 @@ export interface EngineMessages {
     | { what: 'name-control' | 'name-colon' | 'name-length' | 'name-number' }
     | { what: 'same-name'; name: string }
     | { what: 'flap-edge'; from: number; to: number }
-    | { what: 'unreadable' | 'written'; detail: string };
+    | { what: 'unreadable' | 'written'; detail: string }
+    | OptionFault;
   'bad-pin':
     | { what: 'outside'; piece: string; sheet: number }
     | { what: 'overlap'; pieces: string[]; sheet: number };
