@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
-import { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
+import { BadEdit, readEdits } from '../api/read-edits.js';
+import type { DocumentEdit } from '../model/document-edits.js';
 import { BadValue, whole } from '../model/option-values.js';
 import { usageError } from './exit.js';
 
