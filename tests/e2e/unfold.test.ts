@@ -84,6 +84,22 @@ test('which way is up and how deep the model gets can be asked for', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('what is hard to build is said before anything is printed', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '1');
+    await page.selectOption('#sizing', 'height');
+    await page.fill('#size', '8');
+    await studio.choose('small.obj', objText(cube));
+    await studio.resultOf('small');
+    const remarks = await page.locator('#remarks').innerText();
+    expect(remarks).toContain(
+      'Half of the seams are at most 8 mm long, which is hard to glue; easier to build: 20 mm high (--height 20).',
+    );
+    const glue = page.locator('#facts div').filter({ hasText: 'To glue' });
+    expect(await glue.locator('dd').innerText()).toBe('0.1 m on 7 seams');
+  }));
+
 test('parts and paper can be asked for', () =>
   withStudio(async (studio) => {
     const { page } = studio;

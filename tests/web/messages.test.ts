@@ -17,6 +17,13 @@ const own = Object.keys({
   'fonts-not-loaded': 0,
   'marks-not-free': 0,
   'cricut-area': 0,
+  'missing-names': 0,
+  'missing-flaps': 0,
+  'missing-numbers': 0,
+  'overlapping-pieces': 0,
+  'short-seams': 0,
+  'empty-sheet': 0,
+  'tiny-pieces': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
 async function engineCodes(): Promise<string[]> {
@@ -26,6 +33,30 @@ async function engineCodes(): Promise<string[]> {
 
 /** One for each sentence of a code that has several, and for each form of a plural. */
 const examples: readonly [KnownMessage, string][] = [
+  [
+    { code: 'overlapping-pieces', params: { pieces: ['B'] } },
+    'piece B overlaps itself and cannot be cut out whole',
+  ],
+  [
+    { code: 'overlapping-pieces', params: { pieces: ['B', 'C'] } },
+    'pieces B, C overlap themselves and cannot be cut out whole',
+  ],
+  [
+    { code: 'missing-names', params: { pieces: ['B'] } },
+    'no room for its name on piece B; short names need less',
+  ],
+  [
+    { code: 'missing-names', params: { pieces: [...'ABCDEFGHIJKLMNO'] } },
+    'no room for their names on pieces A, B, C, D, E, F, G, H, I, J, K, L and 3 more; short names need less',
+  ],
+  [
+    { code: 'empty-sheet', params: { sheet: 4, percent: 0, pieces: [] } },
+    'the last sheet, number 4, is almost empty: less than 1 % of it is used, by loose strips',
+  ],
+  [
+    { code: 'short-seams', params: { median_mm: 2.04, depth: 260 } },
+    'half of the seams are at most 2 mm long, which is hard to glue; easier to build: 260 mm deep (--depth 260)',
+  ],
   [
     { code: 'marks-not-free', params: { pieces: ['A', 'C'], margin_mm: 30 } },
     'the machine looks for its marks where something is cut: a margin of 30 mm keeps them free; pieces A, C',
@@ -155,6 +186,47 @@ const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'bad-option', params: { what: 'clearance', least: 0.0001, most: 0.2 } },
     'clearance must be from 0.0001 to 0.2',
+  ],
+  [
+    {
+      code: 'bad-option',
+      params: {
+        what: 'value',
+        option: 'cutWidth',
+        value: '5',
+        expected: 'decimal',
+        least: 0.01,
+        most: 2,
+        or: 'style',
+      },
+    },
+    "option 'cutWidth': '5' is not a number from 0.01 to 2, nor style",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'no-option', option: 'colour' } },
+    "there is no option 'colour'",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'fixed', option: 'parts' } },
+    "option 'parts' cannot be changed here",
+  ],
+  [
+    { code: 'bad-option', params: { what: 'second-size', option: 'width', first: 'height' } },
+    "option 'width': the size is given by 'height' already",
+  ],
+  [
+    {
+      code: 'bad-option',
+      params: { what: 'no-paper-left', option: 'margin', margin_mm: 105, paper: 'A4' },
+    },
+    "option 'margin': 105 mm leave nothing of A4 paper",
+  ],
+  [
+    {
+      code: 'bad-option',
+      params: { what: 'pixels', dpi: 1200, width_mm: 420, height_mm: 594.04, possible: 622 },
+    },
+    '1200 dots per inch are too many for sheets of 420 x 594 mm: 622 are possible',
   ],
   [
     { code: 'bad-option', params: { what: 'height', most: 100000 } },

@@ -3,7 +3,7 @@ import { lookOf } from '../../web/export/line-style.js';
 import { parseCommandLine } from '../../web/cli/command-line.js';
 import { printOptions } from '../../web/model/options.js';
 import { defaultPrint } from '../../web/model/print-options.js';
-import { changedSettings, defaultSettings, lookOptions } from '../../web/model/written-options.js';
+import { changedSettings, defaultSettings, lookOptions } from '../../web/api/written-options.js';
 
 const optionsOf = (...args: string[]) =>
   printOptions(parseCommandLine(['a.obj', ...args]).settings);

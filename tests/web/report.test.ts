@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { makeReport, type Report } from '../../web/export/report.js';
+import { reportText } from '../../web/export/report-text.js';
 import { defaultOptions } from '../../web/model/default-options.js';
+import { addFlap } from './changed-result.js';
 import { boxAndLidResult } from './fixtures.js';
 import { schemaErrors } from './report-schema.js';
 
@@ -61,8 +63,57 @@ describe('makeReport', () => {
     expect(segmentation.filter((part) => part < 1)).toEqual([-1]);
   });
 
-  it('tells what came up when the sheets were drawn', () => {
-    expect(reportOf(2).notices.map(({ code }) => code)).toEqual(['missing-glyphs']);
+  it('tells what came up when the sheets were drawn, what is left out, and what to think of', () => {
+    const { notices } = reportOf(2);
+    const codes = ['missing-glyphs', 'missing-numbers', 'empty-sheet'];
+    expect(notices.map(({ code }) => code)).toEqual(codes);
+    expect(notices[2]).toEqual({
+      code: 'empty-sheet',
+      params: { sheet: 2, percent: 3, pieces: ['B'] },
+      text: 'the last sheet, number 2, is almost empty: 3 % of it is used, by piece B',
+    });
+  });
+
+  it('tells what there is to glue, once for all and for each piece', () => {
+    const report = reportOf(2);
+    expect([report.glue_mm, report.seams]).toEqual([320, 8]);
+    expect([report.seams_within, report.seams_between]).toEqual([4, 4]);
+    const glue = report.pieces.map((piece) => [piece.glue_within_mm, piece.glue_between_mm]);
+    expect(glue).toEqual([
+      [160, 160],
+      [0, 160],
+    ]);
+  });
+
+  it('tells how low flaps are, and how much paper is used within the margins', () => {
+    const result = boxAndLidResult();
+    expect(reportOf(2, result).flaps.shrunk_mm).toBeNull();
+    expect(reportOf(2, result).efficiency).toBeCloseTo(4800 / (190 * 277), 12);
+    [5, 2, 3.5].forEach((height, seam) => addFlap(result, seam, height));
+    result.flaps = { ...result.flaps, wanted: 8, full: 1, shrunk: 2 };
+    expect(reportOf(2, result).flaps.shrunk_mm).toEqual({ least: 2, median: 2.75 });
+    expect(schemaErrors(reportOf(2, result))).toEqual([]);
+  });
+
+  it('comes to a verdict', () => {
+    const [conclusion, reason, ...others] = reportOf(2).verdict;
+    expect(conclusion).toEqual({ code: 'hard', level: 'amber', count: 1, params: {} });
+    expect(reason).toEqual({
+      code: 'missing-numbers',
+      level: 'amber',
+      count: 1,
+      params: { share: 1 },
+    });
+    expect(others).toEqual([]);
+  });
+
+  it('has the parts of all faces on one line', () => {
+    const report = reportOf(2);
+    const text = reportText(report);
+    expect(JSON.parse(text)).toEqual(report);
+    expect(text).toContain('\n  "segmentation": [1,1,2,2,1,1,1,1,1,1,1,1],\n');
+    expect(text).toContain('\n  "files": [\n    "out-1.svg",\n');
+    expect(text).toContain('\n      "necks_mm": [],\n');
   });
 
   it('claims nothing that was not looked for', () => {

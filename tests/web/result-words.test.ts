@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import {
   leadSentence,
-  netRemarks,
+  noticeRemarks,
   repairRemarks,
   resultFacts,
 } from '../../web/app/result-words.js';
 import type { JobResult } from '../../web/model/job.js';
 import { paperSizes } from '../../web/model/paper.js';
+import { resultNotices } from '../../web/model/result-notices.js';
 import type { StageSeconds } from '../../web/model/stage-seconds.js';
 import { boxAndLidResult } from './fixtures.js';
 
@@ -22,8 +23,8 @@ const seconds: StageSeconds = {
   total: 0,
 };
 
-function sizeOf(result: JobResult): string {
-  return resultFacts({ ...result, seconds }).find(([label]) => label === 'Finished size')![1];
+function factOf(result: JobResult, name: string): string {
+  return resultFacts({ ...result, seconds }, 10).find(([label]) => label === name)![1];
 }
 
 describe('the words of a result', () => {
@@ -35,7 +36,7 @@ describe('the words of a result', () => {
     const why = 'halved, since two edges connected the same vertices.';
     const mended = parts.map((n) => `${n} ${n === 1 ? 'edge was' : 'edges were'} ${why}`);
     expect(repairRemarks(result)).toEqual(mended);
-    const known = netRemarks(result);
+    const known = noticeRemarks(resultNotices(result, 10, []));
     for (const part of parts) {
       expect(known.filter((line) => line.startsWith(`Part ${part} has faces`))).toHaveLength(1);
     }
@@ -50,10 +51,17 @@ describe('the words of a result', () => {
     expect(leadSentence({ ...result, pieces: [first!] }, paper)).toBe(words);
   });
 
+  it('tell what there is to glue and how much of the paper is used', () => {
+    const result = boxAndLidResult();
+    expect(factOf(result, 'To glue')).toBe('0.3 m on 8 seams');
+    // Six squares of 40 mm on two sheets of A4 with margins of 10 mm.
+    expect(factOf(result, 'Paper used')).toBe('9 %');
+  });
+
   it('tell small sizes to a tenth of a millimetre', () => {
     const result = boxAndLidResult();
     const vertices = Float64Array.of(0, 0, 0, 4.26, 12.4, 0.04);
     const model = { ...result.model, vertices };
-    expect(sizeOf({ ...result, model })).toBe('4.3 × 12 × 0 mm');
+    expect(factOf({ ...result, model }, 'Finished size')).toBe('4.3 × 12 × 0 mm');
   });
 });

@@ -3,7 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { UnusableChoice, type ChosenModel } from '../../web/app/model-file.js';
 import { Store, type Drawing } from '../../web/app/store.js';
 import { engineDied, JobError } from '../../web/core/job-error.js';
-import { defaultSettings } from '../../web/model/written-options.js';
+import { defaultSettings } from '../../web/api/written-options.js';
 import { FakeSession } from './fake-session.js';
 
 const settings = defaultSettings();

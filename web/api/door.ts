@@ -6,7 +6,7 @@ import type { FontLoader } from '../export/font-loader.js';
 import type { RendererLoader } from '../export/renderer-loader.js';
 import type { Report } from '../export/report.js';
 import type { ModelFiles } from '../model/model-files.js';
-import type { Options } from '../model/written-options.js';
+import type { Options } from './written-options.js';
 import { Session, type Surroundings } from './session.js';
 import type { RunWork } from './work.js';
 

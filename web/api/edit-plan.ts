@@ -10,16 +10,12 @@ import type {
   PartEdit,
   Piece,
 } from '../model/job.js';
-import {
-  BadOption,
-  changedSettings,
-  paperOptions,
-  printOptionNames,
-} from '../model/written-options.js';
 import type { Message, MessageParams } from '../model/message.js';
+import { BadOption } from '../words/bad-option.js';
 import type { Code, Messages } from '../words/messages.js';
 import { phraseOf } from '../words/phrase.js';
 import type { DocumentState, Wishes } from './document-state.js';
+import { changedSettings, paperOptions, printOptionNames } from './written-options.js';
 
 /** Why an edit cannot be made; nothing was changed. */
 export interface Refusal {
@@ -200,7 +196,7 @@ export function planEdits(
     if (edits.every(isPartChange)) return planner.parts(edits);
   } catch (error) {
     if (!(error instanceof BadOption)) throw error;
-    return refusal(error.code, { what: 'written', detail: error.message });
+    return refusal(error.code, error.params);
   }
   return refusal('not-together', {});
 }

@@ -15,7 +15,7 @@ import { startFrom } from '../model/edits.js';
 import type { JobOptions, JobStart } from '../model/job.js';
 import { probableModel, type ModelFiles } from '../model/model-files.js';
 import { addSeconds } from '../model/stage-seconds.js';
-import { changedSettings, defaultSettings, type Options } from '../model/written-options.js';
+import { changedSettings, defaultSettings, type Options } from './written-options.js';
 import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
 import {
   planEdits,

@@ -2,7 +2,7 @@ import { defaultOptions } from '../model/default-options.js';
 import type { Orientation } from '../model/job.js';
 import type { Settings } from '../model/options.js';
 import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
-import { defaultSettings } from '../model/written-options.js';
+import { defaultSettings } from '../api/written-options.js';
 import { make } from './dom.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';

@@ -1,21 +1,11 @@
-import type { JobResult, Notice } from '../model/job.js';
+import type { Notice } from '../model/job.js';
+import { resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
-import {
-  changedSettings,
-  isSameLook,
-  lookOptions,
-  type Options,
-} from '../model/written-options.js';
+import { changedSettings, isSameLook, lookOptions, type Options } from '../api/written-options.js';
 import type { FinishedRun } from './finished-run.js';
-import {
-  leadSentence,
-  netRemarks,
-  noticeRemarks,
-  repairRemarks,
-  resultFacts,
-} from './result-words.js';
+import { leadSentence, noticeRemarks, repairRemarks, resultFacts } from './result-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PrintPanel } from './print-panel.js';
@@ -133,11 +123,11 @@ export class ResultPanel extends Panel {
     this.title.textContent = stem(model.name);
     this.lead.textContent = leadSentence(result, settings.paper);
     this.facts.replaceChildren(
-      ...resultFacts(result).map(([label, value]) =>
+      ...resultFacts(result, settings.margin).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
       ),
     );
-    this.showRemarks(result, notices);
+    this.showRemarks(run, notices);
     this.downloads.offer(writer);
     this.steps.offer(result.pieces);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
@@ -160,14 +150,15 @@ export class ResultPanel extends Panel {
     const notices = await writer.notices();
     if (shown !== this.shownRun || looks !== this.looks) return;
     this.sheets.replace(sheets);
-    this.showRemarks(run.result, notices);
+    this.showRemarks(run, notices);
   }
 
   /** The report in words. */
-  private showRemarks(result: JobResult, notices: readonly Notice[]): void {
+  private showRemarks({ result, settings }: FinishedRun, printed: readonly Notice[]): void {
+    const notices = resultNotices(result, settings.margin, printed);
     const remarks = [
       ...remarkList('Repaired before unfolding', repairRemarks(result)),
-      ...remarkList('Worth knowing', [...netRemarks(result), ...noticeRemarks(notices)]),
+      ...remarkList('Worth knowing', noticeRemarks(notices)),
     ];
     this.remarks.replaceChildren(...remarks);
     this.remarks.hidden = remarks.length === 0;

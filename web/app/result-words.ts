@@ -1,32 +1,15 @@
 import type { TimedResult } from '../core/client.js';
-import type { JobResult, Model, Notice } from '../model/job.js';
-import { leftOut } from '../model/left-out.js';
+import type { JobResult, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
+import { paperUse } from '../model/paper-use.js';
+import { measureSeams } from '../model/seam-measures.js';
+import { count } from '../words/numbers.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
+import { finishedSize } from '../words/summary.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
 export type Fact = [label: string, value: string];
-
-function count(number: number, one: string, many = `${one}s`): string {
-  return `${number} ${number === 1 ? one : many}`;
-}
-
-/** Below so many mm a length is told more precisely. */
-const small = 10;
-
-/** Width, height and depth of the finished model, in whole millimetres unless one of them is small. */
-function finishedSize({ vertices }: Model): string {
-  const extent = (axis: number): number => {
-    let [low, high] = [Infinity, -Infinity];
-    for (let i = axis; i < vertices.length; i += 3) {
-      low = Math.min(low, vertices[i]!);
-      high = Math.max(high, vertices[i]!);
-    }
-    return Number((high - low).toFixed(high - low < small ? 1 : 0));
-  };
-  return `${extent(0)} × ${extent(1)} × ${extent(2)} mm`;
-}
 
 /** How many parts have all their faces in pieces: all of them, unless the run was cancelled. */
 export function finishedParts({ labels, pieces, parts }: JobResult): number {
@@ -80,15 +63,25 @@ function idWords({ ids: { printed, skipped } }: JobResult): string {
   return all === 0 ? 'none' : `on ${printed} of ${count(all, 'seam')}`;
 }
 
-/** The figures worth knowing before printing. */
-export function resultFacts(result: TimedResult): Fact[] {
+/** How much there is to glue. */
+function glueWords(result: JobResult): string {
+  const seams = measureSeams(result);
+  const mm = seams.reduce((sum, { length }) => sum + length, 0);
+  return seams.length > 0
+    ? `${(mm / 1000).toFixed(1)} m on ${count(seams.length, 'seam')}`
+    : 'none';
+}
+
+/** The figures worth knowing before printing; `margin`: around each sheet, mm. */
+export function resultFacts(result: TimedResult, margin: number): Fact[] {
   return [
-    ['Finished size', finishedSize(result.model)],
+    ['Finished size', finishedSize(result.model, '×')],
     ['Smallest piece', smallestPiece(result)],
+    ['To glue', glueWords(result)],
     ['Flaps', flapWords(result)],
     ['Edge numbers', idWords(result)],
     ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
-    ['Paper used', `${Math.round(100 * result.efficiency)} %`],
+    ['Paper used', `${Math.round(100 * paperUse(result, margin))} %`],
     ['Triangles', String(result.model.faces.length / 3)],
     ['Computed in', duration(result.seconds.total)],
   ];
@@ -97,16 +90,6 @@ export function resultFacts(result: TimedResult): Fact[] {
 /** What was changed on the model before it was unfolded. */
 export function repairRemarks({ repairs }: JobResult): string[] {
   return repairs.map((repair) => sentence(repairPhrase(repair)));
-}
-
-/** What a person should know about the nets. */
-export function netRemarks(result: JobResult): string[] {
-  const overlapping = result.pieces.filter(({ overlaps }) => overlaps > 0);
-  return [
-    ...overlapping.map(({ name }) => `Piece ${name} overlaps itself.`),
-    ...noticeRemarks(result.notices),
-    ...leftOut(result).map(sentence),
-  ];
 }
 
 /** Notices as sentences. */

@@ -1,6 +1,7 @@
 import type { ExportFormat } from '../export/formats.js';
 import type { Notice } from '../model/job.js';
 import { pixelExcess } from '../model/pixels.js';
+import { optionWords } from '../words/en-options.js';
 import type { PrintOptions } from '../model/print-options.js';
 import type { ExportedFile } from './exporters.js';
 import type { WriterHost } from './writer-host.js';
@@ -29,10 +30,11 @@ export class ResultWriter {
   obstacle(format: ExportFormat): string | null {
     if (format !== 'png') return null;
     const { dpi } = this.options;
-    const excess = this.source.result.sheets.map(({ width, height }) =>
-      pixelExcess(width, height, dpi),
-    );
-    return excess.find((phrase) => phrase !== null) ?? null;
+    for (const { width, height } of this.source.result.sheets) {
+      const excess = pixelExcess(width, height, dpi);
+      if (excess !== null) return optionWords({ what: 'pixels', ...excess });
+    }
+    return null;
   }
 
   /** What a person should know of the sheets beside what the job told. */

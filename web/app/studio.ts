@@ -4,7 +4,7 @@ import { loadRenderer } from '../browser/renderer-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
-import { changedSettings, type Options } from '../model/written-options.js';
+import { changedSettings, type Options } from '../api/written-options.js';
 import { missingSupport } from './browser-support.js';
 import { DownloadBar } from './download-bar.js';
 import type { Ending, Failure } from './ending.js';

@@ -8,6 +8,8 @@ import { formatOf } from './formats.js';
 import { idleOptions } from './idle-options.js';
 import { laterRows, rows, sizings, type Row, type Settings } from '../model/options.js';
 import { BadValue, type Parser } from '../model/option-values.js';
+import { optionWords } from '../words/en-options.js';
+import type { OptionFault } from '../words/messages.js';
 
 /** What a command line asks for. */
 export interface Commands {
@@ -42,13 +44,17 @@ function laterError(name: string): Exit {
   return usageError(`option '--${name}' does not exist in this version yet`);
 }
 
+function optionError(fault: OptionFault): Exit {
+  return usageError(optionWords(fault));
+}
+
 /** @throws Exit for a value that the parser does not take */
 function parsed<Value>(name: string, parse: Parser<Value>, text: string): Value {
   try {
     return parse(text);
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
-    throw usageError(`option '--${name}': '${text}' ${error.message}`);
+    throw optionError({ what: 'value', option: `--${name}`, value: text, ...error.fault });
   }
 }
 
@@ -126,11 +132,16 @@ function settingsOf(program: Command): Settings {
   const settings = Object.fromEntries(entries) as Settings;
   const { margin, paper } = settings;
   if (2 * margin >= paper.width) {
-    throw usageError(`option '--margin': ${margin} mm leave nothing of ${paper.name} paper`);
+    throw optionError({
+      what: 'no-paper-left',
+      option: '--margin',
+      margin_mm: margin,
+      paper: paper.name,
+    });
   }
   const given = sizings.filter((name) => settings[name] !== 'none');
   if (given.length > 1) {
-    throw usageError(`option '--${given[1]}': the size is given by '--${given[0]}' already`);
+    throw optionError({ what: 'second-size', option: `--${given[1]}`, first: `--${given[0]}` });
   }
   return settings;
 }

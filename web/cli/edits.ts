@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
-import { BadEdit, readEdits, type DocumentEdit } from '../model/document-edits.js';
+import { BadEdit, readEdits } from '../api/read-edits.js';
+import type { DocumentEdit } from '../model/document-edits.js';
 import { BadValue, whole } from '../model/option-values.js';
 import { usageError } from './exit.js';
 
@@ -9,26 +10,27 @@ const anyPart = whole(1, 10_000_000);
 /** PART[:K] */
 export function split(text: string): DocumentEdit {
   const [part = '', into = '2', ...rest] = text.split(':');
-  if (rest.length > 0) throw new BadValue('is not PART or PART:K');
+  if (rest.length > 0) throw new BadValue({ expected: 'words', words: ['PART', 'PART:K'] });
   return { kind: 'split', part: anyPart(part), into: anyPart(into) };
 }
 
 /** A,B */
 export function merge(text: string): DocumentEdit {
   const parts = text.split(',').map(anyPart);
-  if (parts.length < 2) throw new BadValue('is not A,B');
+  if (parts.length < 2) throw new BadValue({ expected: 'words', words: ['A,B'] });
   return { kind: 'merge', parts };
 }
 
 /** PART=TEXT; what a text may be, the engine knows. */
 export function partName(text: string): Extract<DocumentEdit, { kind: 'name' }> {
   const [, part, name] = /^([^=]*)=(.+)$/s.exec(text) ?? [];
-  if (part === undefined || name === undefined) throw new BadValue('is not PART=TEXT');
+  if (part === undefined || name === undefined)
+    throw new BadValue({ expected: 'words', words: ['PART=TEXT'] });
   try {
     return { kind: 'name', part: anyPart(part), text: name };
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
-    throw new BadValue(`names no part: '${part}' ${error.message}`);
+    throw new BadValue({ ...error.fault, part });
   }
 }
 

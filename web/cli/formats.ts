@@ -5,7 +5,8 @@ import type { Print } from '../export/print.js';
 import type { JobResult } from '../model/job.js';
 import type { Settings } from '../model/options.js';
 import { pixelExcess } from '../model/pixels.js';
-import { BadOption } from '../model/written-options.js';
+import { BadOption } from '../words/bad-option.js';
+import { optionWords } from '../words/en-options.js';
 import { usageError } from './exit.js';
 import type { OutputFile } from './write-files.js';
 
@@ -19,7 +20,7 @@ export function formatOf(path: string): ExportFormat | undefined {
 /** @throws Exit for a picture that would have too many pixels */
 function checkPixels(path: string, { paper, dpi }: Settings): void {
   const excess = pixelExcess(paper.width, paper.height, dpi);
-  if (excess !== null) throw usageError(`'${path}': ${excess}`);
+  if (excess !== null) throw usageError(`'${path}': ${optionWords({ what: 'pixels', ...excess })}`);
 }
 
 /** @throws Exit for an output whose ending is no format, or that is too large to be drawn */

@@ -1,5 +1,6 @@
 import { resolve } from 'node:path';
 import { version } from '../../package.json';
+import { jobOf } from '../api/document-state.js';
 import { open } from '../api/node.js';
 import type { Session } from '../api/session.js';
 import type { TimedResult } from '../core/client.js';
@@ -8,18 +9,20 @@ import { nodePool } from '../core/node-pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
+import { reportText } from '../export/report-text.js';
+import type { JobOptions } from '../model/job.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import type { ModelFiles } from '../model/model-files.js';
-import { leftOut } from '../model/left-out.js';
 import { parseCommandLine, type Commands } from './command-line.js';
 import { Exit, exitStatus, usageError } from './exit.js';
 import { checkFormat, renderOutputs } from './formats.js';
 import { exitOf } from './job-failure.js';
-import { echo, jobOptions } from '../model/options.js';
+import { echo } from '../model/options.js';
+import { resultNotices } from '../model/result-notices.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
+import { summarize } from '../words/summary.js';
 import { Progress } from './progress.js';
 import { readModelFiles } from './read-model-files.js';
-import { summarize } from './summary.js';
 import { checkWritable, writeFiles, type OutputFile } from './write-files.js';
 
 /** Everything about the outputs that can be wrong before the work has begun. */
@@ -52,6 +55,8 @@ async function edit(session: Session, { edits }: Commands): Promise<void> {
 
 /** What the command line's files are made of. */
 interface Outcome {
+  /** What the engine was asked for in the end. */
+  job: JobOptions;
   result: TimedResult;
   print: Print;
 }
@@ -73,7 +78,8 @@ async function runEngine(
   try {
     await session.runWith(settings, { onEvent: edits.length === 0 ? onEvent : onWorkEvent });
     await edit(session, commands);
-    return { result: await session.result(), print: await session.print() };
+    const { result, wishes } = await session.state();
+    return { job: jobOf(wishes), result, print: await session.print() };
   } catch (error) {
     throw error instanceof JobError ? exitOf(model, error) : error;
   } finally {
@@ -85,26 +91,25 @@ async function runEngine(
 function renderReport(
   { editWords, report, settings }: Commands,
   written: OutputFile[],
-  result: TimedResult,
-  print: Print,
+  { job, result, print }: Outcome,
 ): OutputFile[] {
   if (report === null) return [];
   const content = makeReport({
     version,
     options: { ...echo(settings), ...editWords },
-    job: jobOptions(settings),
+    job,
     files: [...written.map(({ path }) => path), report],
     result,
     printed: print.notices,
     seconds: result.seconds,
   });
-  return [{ path: report, content: `${JSON.stringify(content, null, 2)}\n` }];
+  return [{ path: report, content: reportText(content) }];
 }
 
-/** Everything that was done to the model and everything that is missing on paper. */
-function remarks(result: TimedResult, print: Print): string[] {
-  const known = [...result.notices, ...print.notices].map(phraseOf);
-  return [...result.repairs.map(repairPhrase), ...known, ...leftOut(result)];
+/** Everything that was done to the model, and what to know before it is printed. */
+function remarks({ job, result, print }: Outcome): string[] {
+  const notices = resultNotices(result, job.margin, print.notices);
+  return [...result.repairs.map(repairPhrase), ...notices.map(phraseOf)];
 }
 
 async function run(args: string[]): Promise<void> {
@@ -113,10 +118,11 @@ async function run(args: string[]): Promise<void> {
   const progress = commands.quiet ? null : new Progress(process.stderr);
   commands.idle.forEach((text) => progress?.note(text));
   const model = readModelFiles(commands.model);
-  const { result, print } = await runEngine(commands, model, progress);
+  const outcome = await runEngine(commands, model, progress);
+  const { result, print } = outcome;
   const files = await renderOutputs(commands.outputs, result, print);
-  files.push(...renderReport(commands, files, result, print));
-  remarks(result, print).forEach((text) => progress?.note(text));
+  files.push(...renderReport(commands, files, outcome));
+  remarks(outcome).forEach((text) => progress?.note(text));
   writeFiles(files);
   progress?.conclude(summarize(commands.model, result));
 }

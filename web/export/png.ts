@@ -1,6 +1,6 @@
 import { initWasm, Resvg } from '@resvg/resvg-wasm';
 import { pixelExcess, pixelSize } from '../model/pixels.js';
-import { BadOption } from '../model/written-options.js';
+import { BadOption } from '../words/bad-option.js';
 import { withPhysicalSize } from './png-chunk.js';
 import { fontsOf, type Print } from './print.js';
 import type { RendererLoader } from './renderer-loader.js';
@@ -41,7 +41,7 @@ export async function writePng(print: Print, sheet: number): Promise<Uint8Array>
   const { dpi, machine, sheets, loadRenderer } = print;
   const { width, height } = sheets[sheet]!;
   const excess = pixelExcess(width, height, dpi);
-  if (excess !== null) throw new BadOption(`option 'dpi': ${excess}`);
+  if (excess !== null) throw new BadOption({ what: 'pixels', ...excess });
   const size = pixelSize(width, height, dpi);
   // Of whole pixels, and so a little larger than the sheet: nothing is stretched.
   const [right, bottom] = [size.width, size.height].map((pixels) => (pixels * 25.4) / dpi);

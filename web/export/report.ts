@@ -1,7 +1,12 @@
 import { extentsOf } from '../model/bounds.js';
 import type { FlapCounts, JobOptions, JobResult, Notice, Piece, Repair } from '../model/job.js';
-import { phraseOf, repairPhrase } from '../words/phrase.js';
+import { median } from '../model/median.js';
+import { paperUse } from '../model/paper-use.js';
+import { resultNotices } from '../model/result-notices.js';
+import { glueOf, measureSeams, shrunkHeights, type MeasuredSeam } from '../model/seam-measures.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
+import { verdictOf, type Finding } from '../model/verdict.js';
+import { phraseOf, repairPhrase } from '../words/phrase.js';
 
 /** What a report is made of. */
 export interface ReportInput {
@@ -33,6 +38,15 @@ export interface PieceReport {
   certified: boolean;
   /** Lengths of folds that are too short for what hangs at them. */
   necks_mm: number[];
+  /** Length of the seams that close it, and of those that join it to other pieces. */
+  glue_within_mm: number;
+  glue_between_mm: number;
+}
+
+/** Of the flaps that are lower than wished for; null if there are none. */
+export interface ShrunkReport {
+  least: number;
+  median: number;
 }
 
 /** A message with its words. */
@@ -60,16 +74,31 @@ export interface Report {
   segmentation: number[];
   size_mm: number[];
   sheets: number;
+  /** Paper inside cut lines over printable area. */
   efficiency: number;
-  flaps: FlapCounts;
+  /** Length of all seams. */
+  glue_mm: number;
+  seams: number;
+  /** Of these, how many close a piece, and how many join two. */
+  seams_within: number;
+  seams_between: number;
+  flaps: FlapCounts & { shrunk_mm: ShrunkReport | null };
   ids: { printed: number; skipped: string[] };
   notices: (Notice & Told)[];
+  /** Whether the model can be built as laid out, and what stands against it. */
+  verdict: Finding[];
   seconds: StageSeconds;
   search: { generations: number; moves: number };
   result_hash: string;
 }
 
-function pieceReport(piece: Piece): PieceReport {
+/** A sum of lengths, to a thousandth of a mm as they are drawn. */
+function drawn(mm: number): number {
+  return Number(mm.toFixed(3));
+}
+
+function pieceReport(piece: Piece, index: number, seams: readonly MeasuredSeam[]): PieceReport {
+  const { within, between } = glueOf(seams.filter(({ seam }) => seam.pieces.includes(index)));
   return {
     id: piece.id + 1,
     name: piece.name,
@@ -83,13 +112,22 @@ function pieceReport(piece: Piece): PieceReport {
     foldable: piece.foldable,
     certified: piece.motion !== undefined,
     necks_mm: Array.from(piece.necks),
+    glue_within_mm: drawn(within.mm),
+    glue_between_mm: drawn(between.mm),
   };
+}
+
+function shrunkReport(result: JobResult): ShrunkReport | null {
+  const heights = shrunkHeights(result);
+  return heights.length > 0 ? { least: drawn(heights[0]!), median: drawn(median(heights)) } : null;
 }
 
 /** The report of a run. */
 export function makeReport(input: ReportInput): Report {
   const { job, result } = input;
   const { model } = result;
+  const seams = measureSeams(result);
+  const { within, between } = glueOf(seams);
   return {
     version: input.version,
     seed: job.seed,
@@ -104,17 +142,22 @@ export function makeReport(input: ReportInput): Report {
     },
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
     parts: result.parts,
-    pieces: result.pieces.map(pieceReport),
+    pieces: result.pieces.map((piece, index) => pieceReport(piece, index, seams)),
     segmentation: Array.from(result.segmentation, (part) => (part === -1 ? -1 : part + 1)),
     size_mm: [...extentsOf(model.vertices)],
     sheets: result.sheets.length,
-    efficiency: result.efficiency,
-    flaps: result.flaps,
+    efficiency: paperUse(result, job.margin),
+    glue_mm: drawn(within.mm + between.mm),
+    seams: seams.length,
+    seams_within: within.seams,
+    seams_between: between.seams,
+    flaps: { ...result.flaps, shrunk_mm: shrunkReport(result) },
     ids: { printed: result.ids.printed, skipped: result.ids.skipped },
-    notices: [...result.notices, ...input.printed].map((notice) => ({
+    notices: resultNotices(result, job.margin, input.printed).map((notice) => ({
       ...notice,
       text: phraseOf(notice),
     })),
+    verdict: verdictOf(result),
     seconds: input.seconds,
     search: result.search,
     result_hash: result.hash,

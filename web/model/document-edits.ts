@@ -39,44 +39,58 @@ export type LockKind = 'fold' | 'cut' | 'free';
 
 export type FlapChoiceSide = 'first' | 'second' | 'both' | 'none' | 'auto';
 
-/** A list of edits that is none; the message is for people and names the edit. */
-export class BadEdit extends Error {
-  override readonly name = 'BadEdit';
+/** What a field should have been. */
+export type FieldFault =
+  | { expected: 'number' | 'text' | 'flag' | 'options' | 'edge' }
+  | { expected: 'whole' | 'list'; least: number }
+  | { expected: 'one-of'; words: readonly string[] };
+
+/** Why something is no list of edits; edits count from 1. Its words are in `web/words/en-edits.ts`. */
+export type EditFault =
+  | { what: 'no-list' }
+  | { what: 'no-object'; edit: number }
+  | { what: 'no-kind'; edit: number; kind: string; kinds: readonly string[] }
+  | { what: 'no-field'; edit: number; kind: string; field: string }
+  | ({ what: 'field'; edit: number; kind: string; field: string } & FieldFault);
+
+type Check = (value: unknown) => FieldFault | null;
+
+const isWhole = (value: unknown, least: number): boolean =>
+  Number.isInteger(value) && (value as number) >= least;
+
+function check(expected: FieldFault, isRight: (value: unknown) => boolean): Check {
+  return (value) => (isRight(value) ? null : expected);
 }
 
-type Check = (value: unknown) => string | null;
+const isRecord = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
 
-const isWhole = (value: unknown): value is number => Number.isInteger(value);
-
-const number: Check = (value) => (Number.isFinite(value) ? null : 'is not a number');
-const fromOne: Check = (value) =>
-  isWhole(value) && value >= 1 ? null : 'is not a whole number from 1 on';
-const fromZero: Check = (value) =>
-  isWhole(value) && value >= 0 ? null : 'is not a whole number from 0 on';
-const text: Check = (value) => (typeof value === 'string' ? null : 'is not a text');
-const flag: Check = (value) => (typeof value === 'boolean' ? null : 'is neither true nor false');
-const record: Check = (value) =>
-  typeof value === 'object' && value !== null && !Array.isArray(value) ? null : 'has no options';
-const edge: Check = (value) =>
-  Array.isArray(value) && value.length === 2 && value.every((v) => isWhole(v) && v >= 0)
-    ? null
-    : 'is not two vertices';
-const listOf =
-  (least: number, check: Check): Check =>
-  (value) =>
-    Array.isArray(value) && value.length >= least && value.every((item) => check(item) === null)
-      ? null
-      : `is not a list of ${least} or more numbers`;
-const oneOf =
-  (words: readonly unknown[]): Check =>
-  (value) =>
-    words.includes(value) ? null : `is none of ${words.join(', ')}`;
+const number = check({ expected: 'number' }, Number.isFinite);
+const whole = (least: number): Check =>
+  check({ expected: 'whole', least }, (value) => isWhole(value, least));
+const fromOne = whole(1);
+const fromZero = whole(0);
+const text = check({ expected: 'text' }, (value) => typeof value === 'string');
+const flag = check({ expected: 'flag' }, (value) => typeof value === 'boolean');
+const record = check({ expected: 'options' }, isRecord);
+const edge = check(
+  { expected: 'edge' },
+  (value) => Array.isArray(value) && value.length === 2 && value.every((v) => isWhole(v, 0)),
+);
+const listOf = (least: number, item: Check): Check =>
+  check(
+    { expected: 'list', least },
+    (value) =>
+      Array.isArray(value) && value.length >= least && value.every((one) => item(one) === null),
+  );
+const oneOf = (words: readonly string[]): Check =>
+  check({ expected: 'one-of', words }, (value) => (words as readonly unknown[]).includes(value));
 const side = oneOf(['first', 'second', 'both', 'none', 'auto']);
 const lockKind = oneOf(['fold', 'cut', 'free']);
 
 interface Shape {
-  needs: Record<string, Check>;
-  may?: Record<string, Check>;
+  needs: Readonly<Record<string, Check>>;
+  may?: Readonly<Record<string, Check>>;
 }
 
 /** What each kind of edit is made of. */
@@ -98,36 +112,37 @@ const shapes: Record<DocumentEdit['kind'], Shape> = {
   print: { needs: { options: record } },
 };
 
-function faultOf(edit: unknown): string | null {
-  if (record(edit) !== null) return 'is no object';
-  const fields = edit as Record<string, unknown>;
-  const shape = (shapes as Record<string, Shape | undefined>)[String(fields['kind'])];
-  if (!shape) {
-    return `has the kind '${String(fields['kind'])}', which is none of ${Object.keys(shapes).join(', ')}`;
-  }
-  for (const [name, check] of Object.entries(shape.needs)) {
-    const fault = check(fields[name]);
-    if (fault !== null) return `(${String(fields['kind'])}): '${name}' ${fault}`;
-  }
-  for (const [name, value] of Object.entries(fields)) {
-    if (name === 'kind' || name in shape.needs) continue;
-    const check = shape.may?.[name];
-    if (!check) return `(${String(fields['kind'])}): there is no '${name}'`;
-    const fault = check(value);
-    if (fault !== null) return `(${String(fields['kind'])}): '${name}' ${fault}`;
+/** What is wrong with the fields of an edit. */
+function fieldFault(
+  fields: Readonly<Record<string, unknown>>,
+  { needs, may }: Shape,
+  edit: number,
+): EditFault | null {
+  const kind = String(fields['kind']);
+  const given = Object.keys(fields).filter((name) => name !== 'kind' && !(name in needs));
+  for (const field of [...Object.keys(needs), ...given]) {
+    const isRight = needs[field] ?? may?.[field];
+    if (!isRight) return { what: 'no-field', edit, kind, field };
+    const fault = isRight(fields[field]);
+    if (fault !== null) return { what: 'field', edit, kind, field, ...fault };
   }
   return null;
 }
 
-/**
- * Edits as they come from a file or another program.
- * @throws BadEdit that names the first one that is none, counted from 1
- */
-export function readEdits(value: unknown): DocumentEdit[] {
-  if (!Array.isArray(value)) throw new BadEdit('the edits are no list');
-  value.forEach((edit: unknown, index) => {
-    const fault = faultOf(edit);
-    if (fault !== null) throw new BadEdit(`edit ${index + 1} ${fault}`);
-  });
-  return value as DocumentEdit[];
+function faultOf(value: unknown, edit: number): EditFault | null {
+  if (!isRecord(value)) return { what: 'no-object', edit };
+  const kind = String(value['kind']);
+  const shape = (shapes as Record<string, Shape | undefined>)[kind];
+  if (!shape) return { what: 'no-kind', edit, kind, kinds: Object.keys(shapes) };
+  return fieldFault(value, shape, edit);
+}
+
+/** What is wrong with a list of edits that comes from a file or another program; null if it is one. */
+export function editsFault(value: unknown): EditFault | null {
+  if (!Array.isArray(value)) return { what: 'no-list' };
+  for (const [index, edit] of value.entries()) {
+    const fault = faultOf(edit, index + 1);
+    if (fault !== null) return fault;
+  }
+  return null;
 }

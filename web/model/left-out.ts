@@ -1,57 +1,38 @@
-/** What a result has no room for, in phrases for people: names, flaps and numbers. */
-import type { FlapCounts, JobResult } from './job.js';
+/** What a result has no room for: names, flaps and numbers. */
+import type { JobResult, Notice } from './job.js';
+import { wantedSeams } from './seam-measures.js';
 
-function count(number: number, noun: string): string {
-  return `${number} ${noun}${number === 1 ? '' : 's'}`;
-}
-
-/** Why seams have no flap, with what that means. */
-const missWords: Readonly<Record<keyof FlapCounts['missing'], string>> = {
-  narrow: 'in wedges too narrow for one',
-  thin: 'where the neighbouring face is too thin to hide one',
-  blocked: 'where something else of the piece is in the way',
-  short: 'too short for one',
-};
-
-/** The seams without a flap, by why there is none. */
-function missingFlaps({ flaps: { missing, missing_mm, wanted_mm } }: JobResult): string[] {
-  const classes = (Object.keys(missWords) as (keyof typeof missing)[]).filter(
-    (name) => missing[name] > 0,
-  );
-  if (classes.length === 0) return [];
-  const all = classes.reduce((sum, name) => sum + missing[name], 0);
-  const reasons = classes.map((name) => `${missing[name]} ${missWords[name]}`);
-  const share = Math.round((100 * missing_mm) / wanted_mm);
-  return [
-    `no flap on ${count(all, 'seam')}: ${reasons.join(', ')}. That is ${share} % of the length of all ` +
-      'seams; close them with tape or strips of paper from inside',
-  ];
+/** The seams without a flap, by why there is none, and the pieces that they are on. */
+function missingFlaps(result: JobResult): Notice[] {
+  const { missing, missing_mm, strips, wanted_mm } = result.flaps;
+  const count = missing.narrow + missing.thin + missing.blocked + missing.short;
+  if (count === 0) return [];
+  const bare = wantedSeams(result).filter(({ flap }) => flap === 0);
+  const isConcerned = new Set(bare.flatMap(({ seam }) => seam.pieces));
+  const pieces = result.pieces.filter((_, i) => isConcerned.has(i)).map(({ name }) => name);
+  const percent = Math.round((100 * missing_mm) / wanted_mm);
+  return [{ code: 'missing-flaps', params: { count, ...missing, percent, strips, pieces } }];
 }
 
 /** The seams without a number at one side at least. */
-function missingIds({ ids: { skipped } }: JobResult): string[] {
+function missingNumbers({ ids: { skipped } }: JobResult): Notice[] {
   if (skipped.length === 0) return [];
-  const numbers = new Map<string, string[]>(); // by the pieces that meet there
-  for (const id of skipped) {
-    const [pieces, number] = id.split(':') as [string, string];
-    numbers.set(pieces, [...(numbers.get(pieces) ?? []), number]);
-  }
-  const names = [...numbers].map(([pieces, all]) => `${pieces}: ${all.join(', ')}`).join('; ');
-  return [
-    `no room for a readable number at both sides of ${count(skipped.length, 'seam')}: ${names}`,
-  ];
+  return [{ code: 'missing-numbers', params: { seams: skipped } }];
 }
 
 /** The pieces that do not say which they are. */
-function missingNames({ pieces }: JobResult): string[] {
-  const nameless = pieces.filter(({ name, labels }) => labels.every(({ text }) => text !== name));
-  if (nameless.length === 0) return [];
-  const names = nameless.map(({ name }) => name).join(', ');
-  const [piece, it] = nameless.length === 1 ? ['piece', 'its name'] : ['pieces', 'their names'];
-  return [`no room for ${it} on ${piece} ${names}; short names need less`];
+export function namelessPieces({ pieces }: JobResult): string[] {
+  return pieces
+    .filter(({ name, labels }) => labels.every(({ text }) => text !== name))
+    .map(({ name }) => name);
 }
 
-/** One phrase for each kind of thing that is left out; none if nothing is. */
-export function leftOut(result: JobResult): string[] {
-  return [...missingNames(result), ...missingFlaps(result), ...missingIds(result)];
+function missingNames(result: JobResult): Notice[] {
+  const pieces = namelessPieces(result);
+  return pieces.length > 0 ? [{ code: 'missing-names', params: { pieces } }] : [];
+}
+
+/** One notice for each kind of thing that is left out; none if nothing is. */
+export function leftOut(result: JobResult): Notice[] {
+  return [...missingNames(result), ...missingFlaps(result), ...missingNumbers(result)];
 }

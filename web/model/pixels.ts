@@ -18,11 +18,13 @@ export function pixelSize(width: number, height: number, dpi: number): PixelSize
   return { width: cover(width), height: cover(height) };
 }
 
-/** What is wrong with a resolution for a sheet; null if it can be drawn. */
-export function pixelExcess(width: number, height: number, dpi: number): string | null {
+/** A resolution that is too high for a sheet, and the highest that is not. */
+export type PixelExcess = { dpi: number; width_mm: number; height_mm: number; possible: number };
+
+/** What is wrong with a resolution for a sheet of so many mm; null if it can be drawn. */
+export function pixelExcess(width: number, height: number, dpi: number): PixelExcess | null {
   const size = pixelSize(width, height, dpi);
   if (size.width * size.height <= mostPixels) return null;
-  const most = Math.floor(25.4 * Math.sqrt(mostPixels / (width * height)));
-  const sheet = `${Number(width.toFixed(1))} x ${Number(height.toFixed(1))} mm`;
-  return `${dpi} dots per inch are too many for sheets of ${sheet}: ${most} are possible`;
+  const possible = Math.floor(25.4 * Math.sqrt(mostPixels / (width * height)));
+  return { dpi, width_mm: width, height_mm: height, possible };
 }

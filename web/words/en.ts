@@ -1,5 +1,7 @@
 /** The English table: a phrase for every message, which may be part of a line. */
 import { fileMessages } from './en-files.js';
+import { optionWords } from './en-options.js';
+import { paperMessages } from './en-paper.js';
 import type { Messages, Table } from './messages.js';
 import { all, choose, count, figure, parts, pieces } from './numbers.js';
 
@@ -85,6 +87,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'unreadable':
     case 'written':
       return params.detail;
+    default:
+      return optionWords(params);
   }
 }
 
@@ -160,6 +164,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const english: Table = {
   ...fileMessages,
+  ...paperMessages,
 
   'bad-edit': badEdit,
   'bad-margin': () => 'margins leave nothing of the sheet: paper and margin do not fit',
@@ -237,7 +242,7 @@ export const english: Table = {
     'the file does not say which way is up; the z axis was taken, as in most files of this format',
   'weak-necks': ({ pieces: names }) =>
     'folds under 5 mm hold many faces on both sides and may tear: strengthen them with tape on the back; ' +
-    `pieces ${names.join(', ')}`,
+    pieces(names),
 
   'engine-died': ({ reason, times }) =>
     times === undefined

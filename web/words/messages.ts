@@ -3,11 +3,22 @@
  * the programs around it. Where a code has several sentences, `what` says which.
  */
 
+import type { ValueFault } from '../model/option-values.js';
+import type { PixelExcess } from '../model/pixels.js';
+
 type None = Record<never, never>;
 type Counted = { count: number };
 /** Where something stands in a file: line 23. */
 type At = { place: 'line' | 'vertex' | 'face' | 'element' | 'triangle' | 'count'; at: number };
 type Stage = 'read' | 'learn' | 'cluster' | 'search' | 'compact' | 'paper';
+/** What is wrong with an option is seen here before the engine sees it. */
+export type OptionFault =
+  | { what: 'no-option' | 'fixed'; option: string }
+  | ({ what: 'value'; option: string; value: string } & ValueFault)
+  | { what: 'second-size'; option: string; first: string }
+  | { what: 'no-paper-left'; option: string; margin_mm: number; paper: string }
+  | ({ what: 'pixels' } & PixelExcess);
+
 type Bounded<What extends string> = { what: What; least: number; most: number };
 
 /** Parameters by the codes of the engine. */
@@ -89,7 +100,8 @@ export interface EngineMessages {
     | { what: 'name-control' | 'name-colon' | 'name-length' | 'name-number' }
     | { what: 'same-name'; name: string }
     | { what: 'flap-edge'; from: number; to: number }
-    | { what: 'unreadable' | 'written'; detail: string };
+    | { what: 'unreadable' | 'written'; detail: string }
+    | OptionFault;
   'bad-pin':
     | { what: 'outside'; piece: string; sheet: number }
     | { what: 'overlap'; pieces: string[]; sheet: number };
@@ -161,6 +173,30 @@ export interface OwnMessages {
   'missing-glyphs': { letters: string[] };
   'fonts-not-loaded': None;
   'marks-not-free': { pieces: string[]; margin_mm: number };
+  'missing-names': { pieces: string[] };
+  'missing-flaps': Counted & {
+    narrow: number;
+    thin: number;
+    blocked: number;
+    short: number;
+    /** Of the length of all seams. */
+    percent: number;
+    /** How many of them have loose strips. */
+    strips: number;
+    pieces: string[];
+  };
+  'missing-numbers': { seams: string[] };
+  'overlapping-pieces': { pieces: string[] };
+  /** With the size and the number of faces at which they are long enough, if there are any. */
+  'short-seams': {
+    median_mm: number;
+    height?: number;
+    width?: number;
+    depth?: number;
+    faces?: number;
+  };
+  'empty-sheet': { sheet: number; percent: number; pieces: string[] };
+  'tiny-pieces': { pieces: string[] };
   'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
 }
 

@@ -22,6 +22,11 @@ export function count(number: number, one: string, many = `${one}s`): string {
   return `${figure(number)} ${choose(number, one, many)}`;
 }
 
+/** "7 %", "less than 1 %" */
+export function percentage(percent: number): string {
+  return percent < 1 ? 'less than 1 %' : `${figure(percent)} %`;
+}
+
 /** The form of a word that goes with a number. */
 export function choose(number: number, one: string, many: string): string {
   return plurals.select(number) === 'one' ? one : many;
@@ -39,7 +44,18 @@ export function parts(numbers: readonly number[]): string {
   return `${choose(numbers.length, 'part', 'parts')} ${and.format(numbers.map((part) => figure(part)))}`;
 }
 
+/** A longer list is not read. */
+const mostNames = 12;
+
+/** "A, B, C", "A, B, ... and 7 more" */
+function some(names: readonly string[]): string {
+  const more = names.length - mostNames;
+  return more > 0
+    ? `${names.slice(0, mostNames).join(', ')} and ${figure(more)} more`
+    : names.join(', ');
+}
+
 /** "piece A", "pieces A, B" */
 export function pieces(names: readonly string[]): string {
-  return `${choose(names.length, 'piece', 'pieces')} ${names.join(', ')}`;
+  return `${choose(names.length, 'piece', 'pieces')} ${some(names)}`;
 }

@@ -1,8 +1,9 @@
 /** Options as programs write them: the command line's names and values, in a plain object. */
-import { BadValue } from './option-values.js';
-import { printOptions, rows, sizings, type Row, type Settings } from './options.js';
-import type { PaperSize } from './paper.js';
-import type { PrintOptions } from './print-options.js';
+import { BadValue } from '../model/option-values.js';
+import { printOptions, rows, sizings, type Row, type Settings } from '../model/options.js';
+import type { PaperSize } from '../model/paper.js';
+import type { PrintOptions } from '../model/print-options.js';
+import { BadOption } from '../words/bad-option.js';
 
 type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
@@ -21,12 +22,6 @@ type OptionName = Exclude<keyof Settings, 'workers'>;
 export type Options = {
   [Name in OptionName as CamelCase<Name>]?: Written<Settings[Name]>;
 };
-
-/** An option that there is not, or a value that it does not take; for people. */
-export class BadOption extends Error {
-  override readonly name = 'BadOption';
-  readonly code = 'bad-option';
-}
 
 /** Options that decide sheets, size, flaps and numbers: nets stay as they are. */
 export const paperOptions: ReadonlySet<string> = new Set([
@@ -77,12 +72,12 @@ function writtenOf(value: unknown): string {
 
 function parsed(name: string, value: unknown): unknown {
   const row = (rows as Record<string, Row<unknown> | undefined>)[name];
-  if (!row) throw new BadOption(`there is no option '${name}'`);
+  if (!row) throw new BadOption({ what: 'no-option', option: name });
   try {
     return row.parse(writtenOf(value));
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
-    throw new BadOption(`option '${name}': '${String(value)}' ${error.message}`);
+    throw new BadOption({ what: 'value', option: name, value: String(value), ...error.fault });
   }
 }
 
@@ -146,20 +141,25 @@ export function changedSettings(
     if (value === undefined) continue;
     const name = nameOf(key);
     if (allowed && !allowed.has(name) && name in rows) {
-      throw new BadOption(`option '${name}' cannot be changed here`);
+      throw new BadOption({ what: 'fixed', option: name });
     }
     given.set(name, parsed(name, value));
   }
   const sizes = sizings.filter((name) => given.has(name) && given.get(name) !== 'none');
   if (sizes.length > 1) {
-    throw new BadOption(`option '${sizes[1]}': the size is given by '${sizes[0]}' already`);
+    throw new BadOption({ what: 'second-size', option: sizes[1]!, first: sizes[0]! });
   }
   const settings = { ...before };
   if (sizes.length === 1) for (const name of sizings) settings[name] = 'none';
   Object.assign(settings, Object.fromEntries(given));
   if (2 * settings.margin >= settings.paper.width) {
     const { margin, paper } = settings;
-    throw new BadOption(`option 'margin': ${margin} mm leave nothing of ${paper.name} paper`);
+    throw new BadOption({
+      what: 'no-paper-left',
+      option: 'margin',
+      margin_mm: margin,
+      paper: paper.name,
+    });
   }
   return settings;
 }

@@ -1,17 +1,14 @@
 import { extentsOf } from '../model/bounds.js';
 import type { JobResult, Model } from '../model/job.js';
+import { count } from './numbers.js';
 
 /** Below so many mm a length is told to a tenth. */
 const small = 10;
 
-function count(number: number, noun: string): string {
-  return `${number} ${noun}${number === 1 ? '' : 's'}`;
-}
-
-/** Width, height and depth of the finished model. */
-function finishedSize({ vertices }: Model): string {
+/** Width, height and depth of the finished model, in whole millimetres unless one of them is small. */
+export function finishedSize({ vertices }: Model, times = 'x'): string {
   const lengths = extentsOf(vertices).map((mm) => Number(mm.toFixed(mm < small ? 1 : 0)));
-  return `${lengths.join(' x ')} mm`;
+  return `${lengths.join(` ${times} `)} mm`;
 }
 
 /** What came out, in one line for people. */

@@ -1,0 +1,92 @@
+/** Seams that are too short to be glued, and what makes them longer: a larger model, or one of fewer faces. */
+import { extentsOf } from './bounds.js';
+import { doPanelsFit } from './flat-panels.js';
+import type { JobResult, Notice, Piece } from './job.js';
+import { median } from './median.js';
+import { measureSeams } from './seam-measures.js';
+
+/** As a fingertip is wide: shorter edges are hard to hold until the glue has dried; mm. */
+export const goodSeam = 12;
+
+/** Larger ones fit no table; mm. */
+const largestModel = 1000;
+/** As many as a pad of card has. */
+const mostSheets = 20;
+/** What the engine keeps free for rulers and title at least, from the edges of the paper; mm. */
+const rulers = 9.5;
+
+/** With fewer faces fingers and ears are lost. */
+const fewestFaces = 200;
+/** Edges grow by up to 8 % less than the root of the faces, since the surface loses its bumps, too. */
+const reserve = 0.85;
+/** Where more edges are flat, faces are shares of large panels: simplifying spoils their shape instead. */
+const mostFlat = 0.2;
+
+/** Models that are lower, compared with their longest side, are better told by that. */
+const leastUpright = 0.25;
+
+const sides = ['width', 'height', 'depth'] as const;
+
+/** Half of the seams are shorter than this, mm; null if there are none. */
+export function medianSeam(result: JobResult): number | null {
+  const lengths = measureSeams(result).map(({ length }) => length);
+  return lengths.length > 0 ? median(lengths) : null;
+}
+
+/** Whether a model can still be printed when it is `factor` times as large. */
+function canGrow({ model, pieces, sheets }: JobResult, factor: number, margin: number): boolean {
+  const { width, height } = sheets[0]!;
+  const border = 2 * Math.max(margin, rulers);
+  return (
+    factor * Math.max(...extentsOf(model.vertices)) <= largestModel &&
+    factor ** 2 * sheets.length <= mostSheets &&
+    doPanelsFit(pieces, (width - border) / factor, (height - border) / factor)
+  );
+}
+
+/** The size, in tens of mm, at which edges are `factor` times as long; none if it cannot be printed. */
+function largerSize(result: JobResult, factor: number, margin: number): { [side: string]: number } {
+  const extents = extentsOf(result.model.vertices);
+  const longest = Math.max(...extents);
+  const side = extents[1] >= leastUpright * longest ? 1 : extents.indexOf(longest);
+  // The last digits of the extents are those of sums.
+  const size = Math.ceil((factor * extents[side]!) / 10 - 1e-9) * 10;
+  return canGrow(result, size / extents[side]!, margin) ? { [sides[side]!]: size } : {};
+}
+
+/** The share of edges within pieces that are not folded at all. */
+function flatShare(pieces: readonly Piece[]): number {
+  const inner = pieces.flatMap(({ assignments }) => [...assignments.replaceAll('B', '')]);
+  return inner.filter((letter) => letter === 'F').length / Math.max(1, inner.length);
+}
+
+/** A number that is easily said, not above the given one. */
+function roundedDown(number: number): number {
+  const steps = [500, 100, 50, 10];
+  const step = steps.find((one) => 10 * one <= number) ?? 10;
+  return Math.floor(number / step) * step;
+}
+
+/**
+ * So few faces that edges are `factor` times as long, as a surface is shared out among them; none if
+ * they are too few for a shape.
+ */
+function fewerFaces({ model, pieces }: JobResult, factor: number): { faces?: number } {
+  const faces = roundedDown((reserve * model.faces.length) / 3 / factor ** 2);
+  const isPossible = faces >= fewestFaces && flatShare(pieces) <= mostFlat;
+  return isPossible ? { faces } : {};
+}
+
+/**
+ * One notice if half of the seams are too short to be glued well at this size, with the size and the number of
+ * faces at which they are not, as far as there are any that are of use.
+ *
+ * @param margin around each sheet, mm
+ */
+export function shortSeams(result: JobResult, margin: number): Notice[] {
+  const length = medianSeam(result);
+  if (length === null || length >= goodSeam) return [];
+  const factor = goodSeam / length;
+  const better = { ...largerSize(result, factor, margin), ...fewerFaces(result, factor) };
+  return [{ code: 'short-seams', params: { median_mm: length, ...better } }];
+}

@@ -1,0 +1,12 @@
+import type { OptionFault } from './messages.js';
+import { optionWords } from './en-options.js';
+
+/** An option that there is not, or a value that it does not take: `params` are for programs, the message for people. */
+export class BadOption extends Error {
+  override readonly name = 'BadOption';
+  readonly code = 'bad-option';
+
+  constructor(readonly params: OptionFault) {
+    super(optionWords(params));
+  }
+}
