@@ -1,5 +1,4 @@
 #include "paper/craft_cost.h"
-#include "paper/flaps.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "meshes.h"
+#include "paper/flaps.h"
 #include "search/moving_layout.h"
 #include "search/tree_search.h"
 #include "trees.h"

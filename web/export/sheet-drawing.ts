@@ -146,7 +146,9 @@ function lineOf({ text, x, y, angle, size }: PieceLabel, dx = 0, dy = 0): TextLi
 const isOnPiece = ({ isBeside }: PieceLabel): boolean => isBeside !== true;
 
 function drawGuides({ jointLines, labels, tapeMarks, x, y }: Piece): Segment[] {
-  const leaders = labels.filter(isOnPiece).flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
+  const leaders = labels
+    .filter(isOnPiece)
+    .flatMap(({ leader }) => (leader ? segmentsOf(leader, x, y) : []));
   return [...leaders, ...segmentsOf(tapeMarks, x, y), ...segmentsOf(jointLines, x, y)];
 }
 
