@@ -19,7 +19,9 @@ TEST(JobParts, AreAsManyAsAskedForFromOneToAllFaces) {
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
     EXPECT_EQ(static_cast<int>(outcome.result->pieces.size()), parts);
-    EXPECT_TRUE(outcome.notices().empty());
+    std::multiset<std::string> notices = outcome.notices();
+    notices.erase("smaller-saves-sheets");  // may be told of any number of sheets
+    EXPECT_TRUE(notices.empty());
   }
   const Outcome more = run(mesh, {.parts = mesh.face_count() + 1, .runs = 20, .compaction = false});
   expect_sound(more);
