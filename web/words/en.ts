@@ -1,5 +1,6 @@
 /** The English table: a phrase for every message, which may be part of a line. */
 import { fileMessages } from './en-files.js';
+import { readerMessages } from './en-readers.js';
 import type { Messages, Table } from './messages.js';
 import { all, choose, count, figure, parts, pieces } from './numbers.js';
 
@@ -160,6 +161,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const english: Table = {
   ...fileMessages,
+  ...readerMessages,
 
   'bad-edit': badEdit,
   'bad-margin': () => 'margins leave nothing of the sheet: paper and margin do not fit',

@@ -1,0 +1,8 @@
+/** The part of the decoder that is used here; the package has no types of its own. */
+declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
+  interface Options {
+    wasmBinary: Uint8Array;
+  }
+  const createDecoder: (options: Options) => Promise<object>;
+  export default createDecoder;
+}
