@@ -83,6 +83,9 @@ export async function readFiles(files: ModelFiles, tools: ReaderTools): Promise<
     const { model, unused } = await readAmong(sourceOf(files), models[0]!.name, tools);
     return { ...model, notices: [...model.notices, ...ignored(unused)] };
   }
+  if (files.every((_, i) => formats[i] !== 'zip')) {
+    throw unreadable('no-model', { count: files.length });
+  }
   const archives = files.filter((_, i) => formats[i] === 'zip');
   if (archives.length !== 1) throw severalModels(archives.map(({ name }) => name));
   return readArchive(archives[0]!, tools);

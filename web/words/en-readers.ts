@@ -1,36 +1,27 @@
 /** English phrases for what is told of archives, glTF and 3MF files. */
 import type { Messages, Table } from './messages.js';
-import { all, choose, count, figure } from './numbers.js';
-
-/** A sentence with more names is not read. */
-const mostNames = 3;
-
-/** "a.obj, b.obj and 4 more" */
-function some(names: readonly string[]): string {
-  const more = names.length - mostNames;
-  return all(more > 0 ? [...names.slice(0, mostNames), `${figure(more)} more`] : names);
-}
+import { all, choose, count, figure, shown, some } from './numbers.js';
 
 const again = 'get the file once more, or export it again';
 
 function badArchive(params: Messages['bad-archive']): string {
-  const { file } = params;
+  const file = shown(params.file);
   switch (params.what) {
     case 'damaged':
       return `the archive '${file}' is damaged or cut off; download it again`;
     case 'bomb':
       return `the archive '${file}' would unpack to hundreds of times its size, as no model does; it was not unpacked`;
     case 'locked':
-      return `'${params.entry}' in the archive '${file}' is locked with a password; unpack it yourself and choose the model`;
+      return `'${shown(params.entry)}' in the archive '${file}' is locked with a password; unpack it yourself and choose the model`;
     case 'method':
-      return `'${params.entry}' in the archive '${file}' is packed in a way that is not read; unpack it yourself and choose the model`;
+      return `'${shown(params.entry)}' in the archive '${file}' is packed in a way that is not read; unpack it yourself and choose the model`;
     case 'too-large':
       return `the archive '${file}' is too large: it has ${params.excess}; unpack it and choose the model and what belongs to it`;
   }
 }
 
 function badGltf(params: Messages['bad-gltf']): string {
-  const { file } = params;
+  const file = shown(params.file);
   switch (params.what) {
     case 'truncated':
       return `'${file}' ends before its data does; ${again}`;
@@ -41,22 +32,24 @@ function badGltf(params: Messages['bad-gltf']): string {
     case 'cycle':
       return `the scene of '${file}' has nodes that hold each other without end; export it again`;
     case 'version': {
-      const version = params.version === '' ? 'no version' : `version ${params.version}`;
+      const version = params.version === '' ? 'no version' : `version ${shown(params.version)}`;
       return `'${file}' is glTF of ${version}, and version 2 is read; export it again`;
     }
     case 'extension':
-      return `'${file}' stores its shape in a way that is not read (${params.extension}); export it without that`;
+      return `'${file}' stores its shape in a way that is not read (${shown(params.extension)}); export it without that`;
     case 'short-buffer': {
       const bytes = `${figure(params.bytes)} of ${figure(params.announced)} bytes`;
       const where =
-        params.buffer === '' ? `'${file}' has` : `'${params.buffer}', which '${file}' needs, has`;
+        params.buffer === ''
+          ? `'${file}' has`
+          : `'${shown(params.buffer)}', which '${file}' needs, has`;
       return `${where} only ${bytes} of its data; ${again}`;
     }
   }
 }
 
 function bad3mf(params: Messages['bad-3mf']): string {
-  const { file } = params;
+  const file = shown(params.file);
   switch (params.what) {
     case 'no-model':
       return `'${file}' is a 3MF package without a model in it; ${again}`;
@@ -65,15 +58,15 @@ function bad3mf(params: Messages['bad-3mf']): string {
     case 'sliced':
       return `'${file}' holds only a sliced print job (G-code) and no model any more; save the project itself, not the sliced file`;
     case 'no-part':
-      return `'${file}' refers to '${params.part}', which is not in it; ${again}`;
+      return `'${file}' refers to '${shown(params.part)}', which is not in it; ${again}`;
     case 'no-object':
-      return `'${file}' refers to object ${params.object} in '${params.part}', which is not there; ${again}`;
+      return `'${file}' refers to object ${shown(params.object)} in '${shown(params.part)}', which is not there; ${again}`;
     case 'cycle':
-      return `object ${params.object} in '${file}' holds itself, or far too many others; export it again`;
+      return `object ${shown(params.object)} in '${file}' holds itself, or far too many others; export it again`;
     case 'xml':
-      return `'${file}' is damaged: '${params.part}' is no XML at line ${figure(params.line)}; ${again}`;
+      return `'${file}' is damaged: '${shown(params.part)}' is no XML at line ${figure(params.line)}; ${again}`;
     case 'word':
-      return `'${file}' is damaged: at line ${figure(params.line)} of '${params.part}' stands '${params.word}' where something else is expected; ${again}`;
+      return `'${file}' is damaged: at line ${figure(params.line)} of '${shown(params.part)}' stands '${shown(params.word)}' where something else is expected; ${again}`;
   }
 }
 
@@ -88,12 +81,12 @@ export const readerMessages = {
   'bad-archive': badArchive,
   'bad-gltf': badGltf,
   'missing-files': ({ file, missing }) =>
-    `'${file}' needs ${some(missing)}, which ${choose(missing.length, 'is', 'are')} missing; ` +
+    `'${shown(file)}' needs ${some(missing)}, which ${choose(missing.length, 'is', 'are')} missing; ` +
     `choose ${choose(missing.length, 'it', 'them')} together with the model, or choose the whole folder`,
   'no-model-in-archive': ({ file, files }) =>
     files.length === 0
-      ? `there is nothing in the archive '${file}'`
-      : `no file in the archive '${file}' is a model that is read; it has ${some(files)}`,
+      ? `there is nothing in the archive '${shown(file)}'`
+      : `no file in the archive '${shown(file)}' is a model that is read; it has ${some(files)}`,
   'reader-not-loaded': () =>
     'the reader of this format could not be loaded; look to the connection, and try once more',
   'too-many-triangles': ({ most }) =>
@@ -101,7 +94,7 @@ export const readerMessages = {
     'simplify it in the program that made it',
 
   'archive-choice': ({ file, others }) =>
-    `the archive has ${figure(others.length + 1)} models; '${file}' was taken, and not ${some(others)}`,
+    `the archive has ${figure(others.length + 1)} models; '${shown(file)}' was taken, and not ${some(others)}`,
   'not-for-printing': ({ supports, modifiers, negatives, unprinted }) =>
     `left out, as the file says that they are not printed: ${kinds([
       [supports, 'support'],

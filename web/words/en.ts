@@ -2,7 +2,7 @@
 import { fileMessages } from './en-files.js';
 import { readerMessages } from './en-readers.js';
 import type { Messages, Table } from './messages.js';
-import { all, choose, count, figure, parts, pieces } from './numbers.js';
+import { all, choose, count, figure, parts, pieces, some } from './numbers.js';
 
 /** What a stage does, and what helps where memory ends in it. */
 const stages = {
@@ -114,14 +114,9 @@ function locked(params: Messages['locked']): string {
   }
 }
 
-/** A sentence with more names is not read. */
-const mostNames = 3;
-
 function filesIgnored({ files }: Messages['files-ignored']): string {
-  const more = files.length - mostNames;
-  const named = more > 0 ? [...files.slice(0, mostNames), `${figure(more)} more`] : files;
   const were = choose(files.length, 'was', 'were');
-  return `${count(files.length, 'other file')} ${were} not needed: ${all(named)}`;
+  return `${count(files.length, 'other file')} ${were} not needed: ${some(files)}`;
 }
 
 function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {

@@ -27,8 +27,43 @@ export interface DracoModule {
   destroy(object: object): void;
 }
 
-export async function dracoModule(wasm: Uint8Array): Promise<DracoModule> {
-  return (await createDecoder({ wasmBinary: wasm })) as DracoModule;
+/** Bytes that the decoder has to begin with, and some to spare. */
+const baseMemory = 24 * 2 ** 20;
+
+/** Bytes that decoding takes per corner and vertex, at most: tables, and attributes before and after. */
+const memoryPerElement = 512;
+
+const pageSize = 65_536;
+
+/** Keeps a memory from growing beyond a limit: whoever asks for more is refused. */
+function limit(memory: WebAssembly.Memory, most: number): void {
+  const grow = memory.grow.bind(memory);
+  memory.grow = (pages) => {
+    if (memory.buffer.byteLength + pageSize * pages > most) throw new RangeError();
+    return grow(pages);
+  };
+}
+
+/**
+ * A decoder for meshes of so many corners and vertices. Damaged data that would make it read tables of any length,
+ * for minutes, meets the end of its memory within seconds, which throws.
+ */
+export async function dracoModule(wasm: Uint8Array, elements: number): Promise<DracoModule> {
+  const module = await WebAssembly.compile(wasm as Uint8Array<ArrayBuffer>);
+  const made = await createDecoder({
+    instantiateWasm(imports, done) {
+      const instance = new WebAssembly.Instance(module, imports);
+      for (const part of Object.values(instance.exports)) {
+        if (part instanceof WebAssembly.Memory)
+          limit(part, baseMemory + memoryPerElement * elements);
+      }
+      done(instance);
+      return instance.exports;
+    },
+    // What it says of damaged data is told in other words.
+    printErr: () => undefined,
+  });
+  return made as DracoModule;
 }
 
 /**

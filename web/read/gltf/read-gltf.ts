@@ -28,6 +28,11 @@ interface Decoded {
   draco: DracoModule | null;
 }
 
+/** Numbers, points and the like in all lists of a file. */
+function elementsOf({ accessors = [] }: GLTF.IGLTF): number {
+  return accessors.reduce((sum, { count }) => sum + count, 0);
+}
+
 async function decode(
   { json }: Container,
   buffers: Buffers,
@@ -36,7 +41,9 @@ async function decode(
   const geometry = geometryJson(json);
   const bytes = buffers.all(geometry.buffers);
   const isDraco = geometry.json.extensionsUsed?.includes(draco) ?? false;
-  const module = isDraco ? await dracoModule(await loaded(loadDraco)) : null;
+  const module = isDraco
+    ? await dracoModule(await loaded(loadDraco), elementsOf(geometry.json))
+    : null;
   await MeshoptDecoder.ready;
   const io = new WebIO()
     .setLogger(new Logger(Logger.Verbosity.SILENT))
