@@ -76,9 +76,17 @@ export function volumeOf({ positions, corners }: Triangles): number {
 export function sizeOf({ positions }: Triangles): number[] {
   return [0, 1, 2].map((axis) => {
     const values = positions.filter((_, i) => i % 3 === axis);
-    const extent = values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b));
+    const extent =
+      values.reduce((a, b) => Math.max(a, b)) - values.reduce((a, b) => Math.min(a, b));
     return Number(extent.toFixed(4));
   });
+}
+
+/** Bytes of which one has another value. */
+export function changed(bytes: Uint8Array, at: number, value: number): Uint8Array {
+  const copy = bytes.slice();
+  copy[at] = value;
+  return copy;
 }
 
 /** What is to be told, as codes. */
