@@ -48,6 +48,16 @@ describe('what a 3MF file builds', () => {
     expect(model.notices).toEqual([]);
   });
 
+  it('is found in a package of very many files', async () => {
+    const pictures = Array.from({ length: 1500 }, (_, i) => [
+      `Metadata/${i}-${'x'.repeat(50)}.png`,
+      'x',
+    ]);
+    const model = modelPart(unitBox, '<item objectid="1"/>');
+    const file = threeMf(model, Object.fromEntries(pictures) as Record<string, string>);
+    expect((await measured(file)).volume).toBe(1);
+  });
+
   it('is all that no other object is made of, where nothing says what is built', async () => {
     const resources = `${unitBox}<object id="2"><components><component objectid="1"/></components></object>`;
     expect((await measured(threeMf(modelPart(resources)))).volume).toBe(1);

@@ -19,10 +19,14 @@ function is3mf(bytes: Uint8Array): boolean {
   return /3D\/[^/]*\.model/i.test(end) || (/_rels\/\.rels/.test(end) && /\.model/i.test(end));
 }
 
-/** All glTF files say of which version they are; that may stand behind embedded buffers. */
+/** Bytes at both ends of a file in which its version is looked for: a page calls this while it must answer. */
+const ends = 65_536;
+
+/** All glTF files say of which version they are, before or behind all else. */
 function isGltf(bytes: Uint8Array): boolean {
   if (!/^(?:\xEF\xBB\xBF)?\s*\{/.test(textOf(bytes, 0, 64))) return false;
-  return /"asset"\s*:\s*\{[^{}]*"version"/.test(textOf(bytes, 0));
+  const version = /"asset"\s*:\s*\{[^{}]*"version"/;
+  return version.test(textOf(bytes, 0, ends)) || version.test(textOf(bytes, -ends));
 }
 
 /** The format that the contents show; null for one that is not read here. */
@@ -48,6 +52,11 @@ export function needsReader(files: ModelFiles): boolean {
 }
 
 const anyEnding = /\.(obj|stl|off|ply|glb|gltf|3mf)$/i;
+
+/** Whether an archive with these paths is a 3MF package, of whose names `formatOf` may not have seen all. */
+export function isPackage(paths: readonly string[]): boolean {
+  return paths.includes('_rels/.rels') && paths.some((path) => /\.model$/i.test(path));
+}
 
 const depth = (path: string): number => path.split('/').length;
 

@@ -4,7 +4,7 @@ import type { ModelFile, ModelFiles } from '../model/model-files.js';
 import { Archive, isOfPerson } from './archive.js';
 import { Companions, sourceOf, type FileSource } from './companions.js';
 import { engineFile } from './engine-file.js';
-import { formatOf, isNamedForEngine, modelPaths, type Format } from './format.js';
+import { formatOf, isNamedForEngine, isPackage, modelPaths, type Format } from './format.js';
 import { loaded } from './loading.js';
 import { notice, type ReaderTools, type ReadModel } from './read-model.js';
 import { unreadable } from './unreadable.js';
@@ -53,6 +53,8 @@ async function readAmong(
 /** Of several models in an archive the one that lies least deep is read, and of these the first by name. */
 async function readArchive(file: ModelFile, tools: ReaderTools): Promise<ReadModel> {
   const archive = new Archive(file);
+  if (isPackage(archive.paths))
+    return read(file, '3mf', new Companions(sourceOf([]), file.name), tools);
   const paths = archive.paths.filter(isOfPerson);
   const source: FileSource = { paths, read: (path) => archive.read(path) };
   const [chosen, ...others] = modelPaths(paths);
