@@ -6,7 +6,7 @@ import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
 const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', 'read', 'repair', ...unfold];
-const web = ['view', 'export', 'core', 'browser', 'words', 'model'];
+const web = ['view', 'export', 'core', 'read', 'browser', 'words', 'model'];
 
 /** What each folder may know besides itself. */
 const mayKnow = {
@@ -24,12 +24,13 @@ const mayKnow = {
   'web/model': [],
   'web/words': ['model'],
   'web/browser': [],
-  'web/core': ['browser', 'words', 'model'],
+  'web/read': ['words', 'model'],
+  'web/core': ['read', 'browser', 'words', 'model'],
   'web/view': ['browser', 'model'],
   'web/export': ['words', 'model'],
   'web/pwa': ['model'],
-  'web/api': ['export', 'core', 'browser', 'words', 'model'],
-  'web/cli': ['api', 'export', 'core', 'words', 'model'],
+  'web/api': ['export', 'core', 'read', 'browser', 'words', 'model'],
+  'web/cli': ['api', 'export', 'core', 'read', 'words', 'model'],
   'web/app': ['api', 'pwa', ...web],
   'web/element': ['api', 'app', ...web],
 };

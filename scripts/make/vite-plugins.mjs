@@ -23,10 +23,11 @@ export function notePackages(name) {
   };
 }
 
-/** Puts the engine and the renderer of PNG files beside the scripts, where node looks for them. */
+/** Puts the engine, the decoder of Draco and the renderer of PNG files beside the scripts, where node looks for them. */
 export function copyWasm() {
   const files = {
     'foldwright.wasm': 'web/core/generated/foldwright.wasm',
+    'draco.wasm': 'node_modules/draco3dgltf/draco_decoder_gltf.wasm',
     'resvg.wasm': 'node_modules/@resvg/resvg-wasm/index_bg.wasm',
   };
   return {
@@ -59,13 +60,14 @@ export function copyFonts() {
   };
 }
 
-/** Emscripten's module asks for node's `module` under node only; browsers get an empty one instead of a warning. */
+/** Emscripten's modules ask for those of node under node only; browsers get empty ones instead of a warning. */
 export function withoutNodeModules() {
   const empty = '\0empty';
+  const names = ['module', 'fs', 'path', 'node:fs', 'node:path'];
   return {
     name: 'without-node-modules',
     enforce: 'pre',
-    resolveId: (id) => (id === 'module' ? empty : null),
+    resolveId: (id) => (names.includes(id) ? empty : null),
     load: (id) => (id === empty ? 'export {};' : null),
   };
 }

@@ -122,14 +122,17 @@ export class StudioPage {
   }
 
   /** Drops files on the page, as from a file manager. */
-  async drop(files: { name: string; content: string }[]): Promise<void> {
+  async drop(files: { name: string; content: string | Uint8Array }[]): Promise<void> {
+    const listed = files.map(({ name, content }) => ({ name, bytes: [...Buffer.from(content)] }));
     await this.page.evaluate((dropped) => {
       const data = new DataTransfer();
-      for (const { name, content } of dropped) data.items.add(new File([content], name));
+      for (const { name, bytes } of dropped) {
+        data.items.add(new File([Uint8Array.from(bytes)], name));
+      }
       const event = { dataTransfer: data, bubbles: true, cancelable: true };
       document.body.dispatchEvent(new DragEvent('dragenter', event));
       document.body.dispatchEvent(new DragEvent('drop', event));
-    }, files);
+    }, listed);
   }
 
   async chooseSample(name: string): Promise<void> {

@@ -3,7 +3,10 @@ import { mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { foldwright, inFolder, isBuilt, type Ended } from './command.js';
+import { Scene } from './gltf-files.js';
 import { objText, wavyRing } from './model-text.js';
+import { box } from './solids.js';
+import { zip } from './zips.js';
 
 const ring = objText(wavyRing(6));
 
@@ -17,6 +20,52 @@ function fill(folder: string, files: Record<string, string>): void {
 
 const run = (model: string, ...args: string[]): Promise<Ended> =>
   foldwright([model, '--parts', '2', '--runs', '20', ...args]);
+
+describe.skipIf(!isBuilt)('a file that needs others, or holds them', () => {
+  it('is read with the buffers beside it, and names those that are missing', () =>
+    inFolder(async (folder) => {
+      const scene = new Scene();
+      scene.add(box(1, 2, 3));
+      const { json, bin } = await scene.separate();
+      const uri = 'buffers/my%20data.bin';
+      const text = JSON.stringify({ ...json, buffers: [{ ...json.buffers![0], uri }] });
+      fill(folder, { 'box.gltf': text });
+      const model = join(folder, 'box.gltf');
+      const missing = `${model}: 'box.gltf' needs buffers/my data.bin, which is missing; choose it together with the model, or choose the whole folder\n`;
+      expect(await run(model, '--quiet')).toEqual({ status: 3, stdout: '', stderr: missing });
+      mkdirSync(join(folder, 'buffers'));
+      writeFileSync(join(folder, 'buffers/my data.bin'), bin);
+      const { status, stderr } = await run(model);
+      expect([status, stderr]).toEqual([0, expect.stringContaining('box.gltf: 12 faces')]);
+    }));
+
+  it('may be an archive', () =>
+    inFolder(async (folder) => {
+      const model = join(folder, 'ring.zip');
+      writeFileSync(model, zip('ring.zip', { 'a/ring.obj': ring, 'b/ring.obj': ring }).bytes);
+      const { status, stderr } = await run(model);
+      expect([status, stderr]).toEqual([0, expect.stringContaining(`${model}: 72 faces`)]);
+      expect(stderr).toContain(
+        "the archive has 2 models; 'a/ring.obj' was taken, and not b/ring.obj",
+      );
+    }));
+
+  it('of a format that is not read is refused with what to do', () =>
+    inFolder(async (folder) => {
+      fill(folder, { 'a.fbx': 'Kaydara FBX Binary  ', 'b.pdo': 'version 3\n' });
+      for (const [name, format] of [
+        ['a.fbx', 'an FBX model'],
+        ['b.pdo', 'a Pepakura model'],
+      ] as const) {
+        const { status, stderr } = await run(join(folder, name), '--quiet');
+        expect([status, stderr]).toEqual([
+          3,
+          expect.stringContaining(`${format}, which is not read`),
+        ]);
+        expect(stderr).toContain('save it as GLB, OBJ,');
+      }
+    }));
+});
 
 describe.skipIf(!isBuilt)('a folder as the model', () => {
   it('gives what its model alone gives, and tells what was not needed', () =>

@@ -75,6 +75,7 @@ export function localPort(engine: Engine, listener: PortListener): Port {
     loadEngine: () => Promise.resolve(engine),
     post: (answer) => later(() => listener.onAnswer(answer)),
     pause: () => new Promise((resolve) => setImmediate(resolve)),
+    loadDraco: () => Promise.reject(new Error('there is no decoder here')),
   });
   return {
     post: (request: Request) => later(() => handle(request)),

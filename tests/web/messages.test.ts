@@ -24,6 +24,18 @@ const own = Object.keys({
   'short-seams': 0,
   'empty-sheet': 0,
   'tiny-pieces': 0,
+  'bad-3mf': 0,
+  'bad-archive': 0,
+  'bad-gltf': 0,
+  'missing-files': 0,
+  'no-model-in-archive': 0,
+  'reader-not-loaded': 0,
+  'too-many-triangles': 0,
+  'archive-choice': 0,
+  'not-for-printing': 0,
+  'posed-skins': 0,
+  'unknown-extensions': 0,
+  'unused-content': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
 async function engineCodes(): Promise<string[]> {
@@ -56,6 +68,50 @@ const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'short-seams', params: { median_mm: 2.04, depth: 260 } },
     'half of the seams are at most 2 mm long, which is hard to glue; easier to build: 260 mm deep (--depth 260)',
+  ],
+  [
+    { code: 'bad-archive', params: { file: 'a.zip', what: 'locked', entry: 'b/c.obj' } },
+    "'b/c.obj' in the archive 'a.zip' is locked with a password; unpack it yourself and choose the model",
+  ],
+  [
+    {
+      code: 'bad-gltf',
+      params: { file: 'a.gltf', what: 'short-buffer', buffer: 'a.bin', bytes: 7, announced: 90 },
+    },
+    "'a.bin', which 'a.gltf' needs, has only 7 of 90 bytes of its data; get the file once more, or export it again",
+  ],
+  [
+    {
+      code: 'bad-3mf',
+      params: { file: 'a.3mf', what: 'word', part: '3D/a.model', line: 8, word: 'nan' },
+    },
+    "'a.3mf' is damaged: at line 8 of '3D/a.model' stands 'nan' where something else is expected; get the file once more, or export it again",
+  ],
+  [
+    { code: 'missing-files', params: { file: 'a.gltf', missing: ['a.bin'] } },
+    "'a.gltf' needs a.bin, which is missing; choose it together with the model, or choose the whole folder",
+  ],
+  [
+    { code: 'no-model-in-archive', params: { file: 'a.zip', files: [] } },
+    "there is nothing in the archive 'a.zip'",
+  ],
+  [
+    { code: 'archive-choice', params: { file: 'a.obj', others: ['b/c.obj', 'b/d.obj'] } },
+    "the archive has 3 models; 'a.obj' was taken, and not b/c.obj and b/d.obj",
+  ],
+  [
+    {
+      code: 'not-for-printing',
+      params: { supports: 1, modifiers: 0, negatives: 2, unprinted: 1 },
+    },
+    'left out, as the file says that they are not printed: 1 support, 2 negative parts and 1 object that is switched off',
+  ],
+  [
+    {
+      code: 'unused-content',
+      params: { animations: 3, morphs: 1, uvs: 0, cameras: 0, instances: 0 },
+    },
+    'not used: 3 animations and 1 morph target',
   ],
   [
     { code: 'marks-not-free', params: { pieces: ['A', 'C'], margin_mm: 30 } },
@@ -141,12 +197,20 @@ const examples: readonly [KnownMessage, string][] = [
     'triangle 2: the file ends here, but its header announces 4294967295 triangles',
   ],
   [
-    { code: 'unknown-format', params: { what: 'contents', format: 'glb' } },
-    'the file is a GLB (binary glTF) model, which is not read; OBJ, STL, OFF and PLY are',
+    { code: 'unknown-format', params: { what: 'contents', format: 'fbx' } },
+    'the file is an FBX model, which is not read; save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it',
+  ],
+  [
+    { code: 'unknown-format', params: { what: 'contents', format: 'png' } },
+    'the file is a PNG picture, which is not read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are',
+  ],
+  [
+    { code: 'unknown-format', params: { what: 'ending', ending: 'pdo' } },
+    'the file, by its ending, is a Pepakura model, which is not read; save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it',
   ],
   [
     { code: 'unknown-format', params: { what: 'ending', ending: 'xyz' } },
-    "files that end in '.xyz' are not read; OBJ, STL, OFF and PLY are",
+    "files that end in '.xyz' are not read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are",
   ],
   [
     {
@@ -247,11 +311,11 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'no-model', params: { count: 2 } },
-    'none of the 2 files is a model that is read; OBJ, STL, OFF and PLY are',
+    'none of the 2 files is a model that is read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are',
   ],
   [
-    { code: 'unknown-format', params: { what: 'file', file: 'cube.glb', format: 'glb' } },
-    "'cube.glb' is a GLB (binary glTF) model, which is not read; OBJ, STL, OFF and PLY are",
+    { code: 'unknown-format', params: { what: 'file', file: 'cube.dae', format: 'dae' } },
+    "'cube.dae' is a COLLADA (DAE) model, which is not read; save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it",
   ],
   [
     {

@@ -1,5 +1,5 @@
 import { version } from '../../package.json';
-import { runJob, type TimedResult } from '../core/client.js';
+import type { TimedResult } from '../core/client.js';
 import { JobError, engineDied } from '../core/job-error.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
@@ -26,6 +26,7 @@ import {
   type Refusal,
 } from './edit-plan.js';
 import { History } from './history.js';
+import { OpenedModel } from './opened-model.js';
 import type { RunWork, WorkOptions } from './work.js';
 
 /** An edit that was made. */
@@ -66,11 +67,14 @@ export class Session {
   /** Of the model, once it was read. */
   private fileName: string | null = null;
   private lastWork: Promise<unknown> = Promise.resolve();
+  private readonly model: OpenedModel;
 
   constructor(
     private readonly files: ModelFiles,
     private readonly surroundings: Surroundings,
-  ) {}
+  ) {
+    this.model = new OpenedModel(files, surroundings.pool);
+  }
 
   /** Edits that were made and not undone, the first one first. */
   get edits(): readonly DocumentEdit[] {
@@ -273,8 +277,7 @@ export class Session {
     start: JobStart | null,
     work: WorkOptions,
   ): Promise<TimedResult> {
-    const runOptions = { ...work, ...(start && { start }) };
-    return runJob(this.surroundings.pool(), this.files, options, runOptions);
+    return this.model.run(options, { ...work, ...(start && { start }) });
   }
 
   private reportOf({ wishes, result }: DocumentState): Report {

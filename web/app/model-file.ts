@@ -85,7 +85,9 @@ async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
  */
 export async function readModelFiles(picked: readonly PickedFile[]): Promise<ChosenModel> {
   if (picked.length === 0) {
-    throw new UnusableChoice('That was no file. Choose an OBJ, STL, OFF or PLY file.');
+    throw new UnusableChoice(
+      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY or OFF file, or a ZIP with one.',
+    );
   }
   checkSizes(picked);
   const files = await Promise.all(picked.map(readFile));

@@ -81,7 +81,10 @@ const endings = exportFormats.map((format) => `.${format}`).join(', ');
 function describe(): Command {
   const program = new Command('foldwright')
     .description('Unfolds a 3D model into paper nets.')
-    .argument('<model>', 'OBJ, STL, OFF or PLY file, or a folder with one and what belongs to it')
+    .argument(
+      '<model>',
+      'OBJ, STL, OFF, PLY, GLB, glTF or 3MF file, or a folder or ZIP archive with one and what belongs to it',
+    )
     .option(
       '-o, --output <file>',
       `write a file, as its ending says: ${endings}; may be given several times`,

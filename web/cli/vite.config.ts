@@ -10,6 +10,8 @@ export default defineConfig({
   publicDir: false,
   plugins: [notePackages('cli'), copyWasm(), copyFonts()],
   ssr: { noExternal: true },
+  // The decoder of Draco asks where it lies, which modules do not have; its WASM is handed to it.
+  define: { __dirname: '""' },
   build: {
     ssr: true,
     target: 'node20',

@@ -1,7 +1,9 @@
 import { Conductor } from './conductor.js';
 import type { Engine, WorkerHost } from './engine.js';
 import { Helper } from './helper.js';
-import type { EndRequest, Request, RunRequest, TaskRequest } from './protocol.js';
+import { answerOf } from './model-reader.js';
+import type { EndRequest, ReadRequest, Request, RunRequest, TaskRequest } from './protocol.js';
+import { buffersOf } from './transfer.js';
 
 /** This worker's part in a job; it has one at a time. */
 class EngineWorker {
@@ -16,6 +18,7 @@ class EngineWorker {
   /** Resolves when all that the request asks for is done; rejects if the engine fails. */
   async handle(request: Request): Promise<void> {
     if (request.type === 'run') await this.conduct(request);
+    else if (request.type === 'read') await this.read(request);
     else if (request.type === 'task') await this.help(request);
     else if (request.type === 'end') await this.end(request);
     else if (this.conductor?.number === request.job) this.conductor.take(request);
@@ -24,6 +27,11 @@ class EngineWorker {
   private async conduct(request: RunRequest): Promise<void> {
     this.conductor = new Conductor(this.engine, this.host, request);
     await this.conductor.run();
+  }
+
+  private async read(request: ReadRequest): Promise<void> {
+    const answer = await answerOf(request, this.host);
+    this.host.post(answer, buffersOf(answer));
   }
 
   private async help({ job, order }: TaskRequest): Promise<void> {

@@ -1,11 +1,12 @@
 import type { MainModule } from './generated/foldwright.mjs';
+import type { ReaderTools } from '../read/read-model.js';
 import type { Answer } from './protocol.js';
 
 /** What a worker needs of the engine's module. Its jobs never throw: failures come as events. */
 export type Engine = Pick<MainModule, 'createJob' | 'createSurface' | 'createTask'>;
 
 /** What a worker differs in between browsers and node. */
-export interface WorkerHost {
+export interface WorkerHost extends ReaderTools {
   loadEngine(): Promise<Engine>;
   post(answer: Answer, transfer: ArrayBuffer[]): void;
   /** Resolves after the messages that are waiting have been delivered. */

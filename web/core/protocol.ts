@@ -6,8 +6,10 @@
  * thread, tasks and surfaces by the job.
  */
 import type { JobEvent, JobOptions, JobStart } from '../model/job.js';
+import type { Message } from '../model/message.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
+import type { ReadModel } from '../read/read-model.js';
 
 /** A task and all that is needed to run it, anywhere, to the same result. */
 export interface TaskOrder {
@@ -47,6 +49,16 @@ export interface RunRequest {
   /** The most helpers that there can be at a time. */
   helpers: number;
   pictures: boolean;
+}
+
+/**
+ * To a worker without a job: make a file that the engine reads of a model's files. Answered by `read`. The
+ * files' bytes are copied.
+ */
+export interface ReadRequest {
+  type: 'read';
+  job: number;
+  files: ModelFiles;
 }
 
 /** To the conductor: a helper stands by. Answered by a `task` for it once there is one. */
@@ -92,7 +104,7 @@ export interface EndRequest {
 }
 
 export type Request =
-  RunRequest | HelperRequest | LostRequest | ReportRequest | TaskRequest | EndRequest;
+  RunRequest | ReadRequest | HelperRequest | LostRequest | ReportRequest | TaskRequest | EndRequest;
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
 export type TimedEvent =
@@ -133,10 +145,19 @@ export interface ReportAnswer {
   report: TaskReport;
 }
 
+/** Answers `read`: the model, whose bytes are transferred, or why there is none. */
+export interface ReadAnswer {
+  type: 'read';
+  job: number;
+  model: ReadModel | null;
+  failure: Message | null;
+}
+
 /** Answers `end`; transfers nothing. Nothing of the job follows. */
 export interface EndedAnswer {
   type: 'ended';
   job: number;
 }
 
-export type Answer = EventsAnswer | HelpAnswer | TaskAnswer | ReportAnswer | EndedAnswer;
+export type Answer =
+  EventsAnswer | HelpAnswer | ReadAnswer | TaskAnswer | ReportAnswer | EndedAnswer;

@@ -1,4 +1,5 @@
 /** Entry of the browser's module worker. */
+import dracoAddress from 'draco3dgltf/draco_decoder_gltf.wasm?url';
 import { serveEngine } from './engine-worker.js';
 import createFoldwright from './generated/foldwright.mjs';
 import wasmAddress from './generated/foldwright.wasm?url';
@@ -17,10 +18,17 @@ function pause(): Promise<void> {
 /** A host that keeps the WASM elsewhere says so by the worker's name. */
 const { name } = self;
 
+async function loadDraco(): Promise<Uint8Array> {
+  const answer = await fetch(dracoAddress);
+  if (!answer.ok) throw new Error(`the decoder of Draco cannot be loaded (${answer.status})`);
+  return new Uint8Array(await answer.arrayBuffer());
+}
+
 const handle = serveEngine({
   loadEngine: () => createFoldwright({ locateFile: () => name || wasmAddress }),
   post: (answer, transfer) => postMessage(answer, { transfer }),
   pause,
+  loadDraco,
 });
 
 addEventListener('message', ({ data }: MessageEvent<Request>) => handle(data));

@@ -19,7 +19,8 @@ const mostMegabytes = 512;
 /** Far more than come with any model; whoever gives more has chosen another folder by mistake. */
 export const mostFiles = 1000;
 
-const modelEnding = /\.(obj|stl|off|ply)$/i;
+/** Formats of models by their endings; an archive is the last to be one. */
+const modelEndings = [/\.(obj|stl|off|ply|glb|gltf|3mf)$/i, /\.zip$/i];
 
 /** Adds up files before they are read. */
 export class FileLimits {
@@ -44,5 +45,6 @@ export function isHidden(name: string): boolean {
 
 /** Name of the file that is the model by all that names tell; the engine may see that it is another. */
 export function probableModel(files: ModelFiles): string {
-  return (files.find(({ name }) => modelEnding.test(name)) ?? files[0])?.name ?? '';
+  const named = modelEndings.map((ending) => files.find(({ name }) => ending.test(name)));
+  return (named.find((file) => file) ?? files[0])?.name ?? '';
 }

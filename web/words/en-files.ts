@@ -21,20 +21,51 @@ function was(noun: keyof typeof plural, what: string): (params: { count: number 
     `${count(number, noun, plural[noun])} ${choose(number, 'was', 'were')} ${what}`;
 }
 
-const readFormats = 'OBJ, STL, OFF and PLY are';
+/** What the formats that are read are for people with a model of another one. */
+const saveAs = 'save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it';
+const readFormats = 'OBJ, STL, OFF, PLY, GLB, glTF and 3MF are';
 
-/** Formats that are known but not read. */
-const formats: Readonly<Record<string, string>> = {
+/** Models and projects of other programs, by the words of the engine or by the endings of their names. */
+const models: Readonly<Record<string, string>> = {
   glb: 'a GLB (binary glTF) model',
+  gltf: 'a glTF model',
+  '3mf': 'a 3MF model',
   fbx: 'an FBX model',
   step: 'a STEP model',
+  stp: 'a STEP model',
+  iges: 'an IGES model',
+  igs: 'an IGES model',
   blend: 'a Blender project',
-  zstandard: 'a compressed Blender project or another Zstandard archive',
   skp: 'a SketchUp model',
   '3dm': 'a Rhino model',
   vrml: 'a VRML model',
+  wrl: 'a VRML model',
   vox: 'a MagicaVoxel model',
   draco: 'a Draco model',
+  drc: 'a Draco model',
+  dae: 'a COLLADA (DAE) model',
+  x3d: 'an X3D model',
+  amf: 'an AMF model',
+  '3ds': 'a 3DS model',
+  max: 'a 3ds Max project',
+  c4d: 'a Cinema 4D project',
+  ma: 'a Maya project',
+  mb: 'a Maya project',
+  lwo: 'a LightWave model',
+  pdo: 'a Pepakura model',
+  usd: 'a USD model',
+  usda: 'a USD model',
+  usdc: 'a USD model',
+  usdz: 'a USDZ model',
+  f3d: 'a Fusion project',
+  sldprt: 'a SolidWorks part',
+  scad: 'an OpenSCAD program',
+  fcstd: 'a FreeCAD project',
+};
+
+/** Other files that people take for models. */
+const others: Readonly<Record<string, string>> = {
+  zstandard: 'a compressed Blender project or another Zstandard archive',
   dxf: 'a DXF drawing',
   dwg: 'a DWG drawing',
   pdf: 'a PDF document',
@@ -46,17 +77,11 @@ const formats: Readonly<Record<string, string>> = {
   '7z': 'a 7-Zip archive',
   rar: 'a RAR archive',
   'git-lfs': 'a Git LFS pointer to a model',
-  dae: 'a COLLADA (DAE) model',
-  x3d: 'an X3D model',
-  amf: 'an AMF model',
   svg: 'an SVG drawing',
   html: 'a web page',
   xml: 'an XML document',
-  gltf: 'a glTF model',
   json: 'a JSON document',
-  '3mf': 'a 3MF model',
   zip: 'a ZIP archive',
-  '3ds': 'a 3DS model',
 };
 
 function badHeader(params: Messages['bad-header']): string {
@@ -138,19 +163,23 @@ function truncated(params: Messages['truncated']): string {
   }
 }
 
-/** A format that is not read: "a GLB (binary glTF) model". */
-function named({ format }: { format: string }): string {
-  return formats[format] ?? format;
+/** What a file of a format that is not read is, and what to do: "is an FBX model, which is not read; save it ...". */
+function unread(format: string): string {
+  const model = models[format];
+  if (model !== undefined) return `is ${model}, which is not read; ${saveAs}`;
+  return `is ${others[format] ?? format}, which is not read; ${readFormats}`;
 }
 
 function unknownFormat(params: Messages['unknown-format']): string {
   switch (params.what) {
     case 'contents':
-      return `the file is ${named(params)}, which is not read; ${readFormats}`;
+      return `the file ${unread(params.format)}`;
     case 'file':
-      return `'${params.file}' is ${named(params)}, which is not read; ${readFormats}`;
+      return `'${params.file}' ${unread(params.format)}`;
     case 'ending':
-      return `files that end in '.${params.ending}' are not read; ${readFormats}`;
+      return params.ending in models
+        ? `the file, by its ending, ${unread(params.ending)}`
+        : `files that end in '.${params.ending}' are not read; ${readFormats}`;
     case 'nothing':
       return `neither the file's contents nor an ending of its name tell its format; ${readFormats}`;
   }

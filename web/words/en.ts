@@ -2,8 +2,9 @@
 import { fileMessages } from './en-files.js';
 import { optionWords } from './en-options.js';
 import { paperMessages } from './en-paper.js';
+import { readerMessages } from './en-readers.js';
 import type { Messages, Table } from './messages.js';
-import { all, choose, count, figure, parts, pieces } from './numbers.js';
+import { all, choose, count, figure, parts, pieces, some } from './numbers.js';
 
 /** What a stage does, and what helps where memory ends in it. */
 const stages = {
@@ -117,14 +118,9 @@ function locked(params: Messages['locked']): string {
   }
 }
 
-/** A sentence with more names is not read. */
-const mostNames = 3;
-
 function filesIgnored({ files }: Messages['files-ignored']): string {
-  const more = files.length - mostNames;
-  const named = more > 0 ? [...files.slice(0, mostNames), `${figure(more)} more`] : files;
   const were = choose(files.length, 'was', 'were');
-  return `${count(files.length, 'other file')} ${were} not needed: ${all(named)}`;
+  return `${count(files.length, 'other file')} ${were} not needed: ${some(files)}`;
 }
 
 function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {
@@ -165,6 +161,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 export const english: Table = {
   ...fileMessages,
   ...paperMessages,
+  ...readerMessages,
 
   'bad-edit': badEdit,
   'bad-margin': () => 'margins leave nothing of the sheet: paper and margin do not fit',

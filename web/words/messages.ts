@@ -161,8 +161,50 @@ export interface EngineMessages {
   'weak-necks': { pieces: string[] };
 }
 
+/** Why an archive gives no files. */
+export type ArchiveFault =
+  | { what: 'damaged' | 'bomb' }
+  | { what: 'locked' | 'method'; entry: string }
+  | { what: 'too-large'; excess: string };
+
+/** Why a glTF file gives no model. */
+export type GltfFault =
+  | { what: 'truncated' | 'json' | 'structure' | 'cycle' }
+  | { what: 'version'; version: string }
+  | { what: 'extension'; extension: string }
+  | { what: 'short-buffer'; buffer: string; bytes: number; announced: number };
+
+/** Why a 3MF package gives no model. */
+export type ThreeMfFault =
+  | { what: 'no-model' | 'nothing' | 'sliced' }
+  | { what: 'no-part'; part: string }
+  | { what: 'no-object'; part: string; object: string }
+  | { what: 'cycle'; object: string }
+  | { what: 'xml'; part: string; line: number }
+  | { what: 'word'; part: string; line: number; word: string };
+
 /** Parameters by the codes of what is found in TypeScript. */
 export interface OwnMessages {
+  'bad-3mf': { file: string } & ThreeMfFault;
+  'bad-archive': { file: string } & ArchiveFault;
+  'bad-gltf': { file: string } & GltfFault;
+  'missing-files': { file: string; missing: string[] };
+  'reader-not-loaded': None;
+  'no-model-in-archive': { file: string; files: string[] };
+  'too-many-triangles': { most: number };
+
+  'archive-choice': { file: string; others: string[] };
+  'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };
+  'posed-skins': Counted;
+  'unknown-extensions': { names: string[] };
+  'unused-content': {
+    animations: number;
+    morphs: number;
+    uvs: number;
+    cameras: number;
+    instances: number;
+  };
+
   'engine-died': { reason: string; times?: number };
   overtaken: None;
   'no-piece': { piece: number; pieces: number };

@@ -1,0 +1,30 @@
+/** What the readers hand over. */
+import type { JobOptions } from '../model/job.js';
+import type { Message } from '../model/message.js';
+import type { ModelFile } from '../model/model-files.js';
+import type { Code, Messages } from '../words/messages.js';
+
+/** A model in a file that the engine reads. */
+export interface ReadModel {
+  /** The file that it was read from, as people know it. */
+  name: string;
+  /** For the engine. */
+  file: ModelFile;
+  /** What is to be told of the files. */
+  notices: Message[];
+  /** What its format says, where nobody says otherwise. */
+  usual: Partial<Pick<JobOptions, 'up' | 'unit'>>;
+}
+
+/** What readers need of where they run. */
+export interface ReaderTools {
+  /** Gets the WASM that decodes Draco. */
+  loadDraco: () => Promise<Uint8Array>;
+}
+
+export function notice<Name extends Code>(
+  code: Name,
+  params: Messages[Name] & Message['params'],
+): Message {
+  return { code, params };
+}

@@ -1,0 +1,117 @@
+/** English phrases for what is told of archives, glTF and 3MF files. */
+import type { Messages, Table } from './messages.js';
+import { all, choose, count, figure, shown, some } from './numbers.js';
+
+const again = 'get the file once more, or export it again';
+
+function badArchive(params: Messages['bad-archive']): string {
+  const file = shown(params.file);
+  switch (params.what) {
+    case 'damaged':
+      return `the archive '${file}' is damaged or cut off; download it again`;
+    case 'bomb':
+      return `the archive '${file}' would unpack to hundreds of times its size, as no model does; it was not unpacked`;
+    case 'locked':
+      return `'${shown(params.entry)}' in the archive '${file}' is locked with a password; unpack it yourself and choose the model`;
+    case 'method':
+      return `'${shown(params.entry)}' in the archive '${file}' is packed in a way that is not read; unpack it yourself and choose the model`;
+    case 'too-large':
+      return `the archive '${file}' is too large: it has ${params.excess}; unpack it and choose the model and what belongs to it`;
+  }
+}
+
+function badGltf(params: Messages['bad-gltf']): string {
+  const file = shown(params.file);
+  switch (params.what) {
+    case 'truncated':
+      return `'${file}' ends before its data does; ${again}`;
+    case 'json':
+      return `'${file}' has no readable description of its scene (JSON); ${again}`;
+    case 'structure':
+      return `'${file}' is damaged: its parts refer to data that is not there or cannot be decoded; ${again}`;
+    case 'cycle':
+      return `the scene of '${file}' has nodes that hold each other without end; export it again`;
+    case 'version': {
+      const version = params.version === '' ? 'no version' : `version ${shown(params.version)}`;
+      return `'${file}' is glTF of ${version}, and version 2 is read; export it again`;
+    }
+    case 'extension':
+      return `'${file}' stores its shape in a way that is not read (${shown(params.extension)}); export it without that`;
+    case 'short-buffer': {
+      const bytes = `${figure(params.bytes)} of ${figure(params.announced)} bytes`;
+      const where =
+        params.buffer === ''
+          ? `'${file}' has`
+          : `'${shown(params.buffer)}', which '${file}' needs, has`;
+      return `${where} only ${bytes} of its data; ${again}`;
+    }
+  }
+}
+
+function bad3mf(params: Messages['bad-3mf']): string {
+  const file = shown(params.file);
+  switch (params.what) {
+    case 'no-model':
+      return `'${file}' is a 3MF package without a model in it; ${again}`;
+    case 'nothing':
+      return `'${file}' has nothing that is to be printed; save the project again with a visible object in it`;
+    case 'sliced':
+      return `'${file}' holds only a sliced print job (G-code) and no model any more; save the project itself, not the sliced file`;
+    case 'no-part':
+      return `'${file}' refers to '${shown(params.part)}', which is not in it; ${again}`;
+    case 'no-object':
+      return `'${file}' refers to object ${shown(params.object)} in '${shown(params.part)}', which is not there; ${again}`;
+    case 'cycle':
+      return `object ${shown(params.object)} in '${file}' holds itself, or far too many others; export it again`;
+    case 'xml':
+      return `'${file}' is damaged: '${shown(params.part)}' is no XML at line ${figure(params.line)}; ${again}`;
+    case 'word':
+      return `'${file}' is damaged: at line ${figure(params.line)} of '${shown(params.part)}' stands '${shown(params.word)}' where something else is expected; ${again}`;
+  }
+}
+
+/** Those kinds that there are: "3 animations and 2 cameras". */
+function kinds(counts: readonly (readonly [number, string, string?])[]): string {
+  const found = counts.filter(([number]) => number > 0);
+  return all(found.map(([number, one, many]) => count(number, one, many)));
+}
+
+export const readerMessages = {
+  'bad-3mf': bad3mf,
+  'bad-archive': badArchive,
+  'bad-gltf': badGltf,
+  'missing-files': ({ file, missing }) =>
+    `'${shown(file)}' needs ${some(missing)}, which ${choose(missing.length, 'is', 'are')} missing; ` +
+    `choose ${choose(missing.length, 'it', 'them')} together with the model, or choose the whole folder`,
+  'no-model-in-archive': ({ file, files }) =>
+    files.length === 0
+      ? `there is nothing in the archive '${shown(file)}'`
+      : `no file in the archive '${shown(file)}' is a model that is read; it has ${some(files)}`,
+  'reader-not-loaded': () =>
+    'the reader of this format could not be loaded; look to the connection, and try once more',
+  'too-many-triangles': ({ most }) =>
+    `the model has more than ${figure(most)} triangles, which is more than can be read; ` +
+    'simplify it in the program that made it',
+
+  'archive-choice': ({ file, others }) =>
+    `the archive has ${figure(others.length + 1)} models; '${shown(file)}' was taken, and not ${some(others)}`,
+  'not-for-printing': ({ supports, modifiers, negatives, unprinted }) =>
+    `left out, as the file says that they are not printed: ${kinds([
+      [supports, 'support'],
+      [modifiers, 'modifier'],
+      [negatives, 'negative part'],
+      [unprinted, 'object that is switched off', 'objects that are switched off'],
+    ])}`,
+  'posed-skins': ({ count: number }) =>
+    `${count(number, 'mesh', 'meshes')} with a skeleton ${choose(number, 'stands', 'stand')} in the pose that the file begins with`,
+  'unknown-extensions': ({ names }) =>
+    `the file uses ${some(names)}, which ${choose(names.length, 'is', 'are')} not known here; something may be missing or look different`,
+  'unused-content': ({ animations, morphs, uvs, cameras, instances }) =>
+    `not used: ${kinds([
+      [animations, 'animation'],
+      [morphs, 'morph target'],
+      [uvs, 'second set of texture coordinates', 'second sets of texture coordinates'],
+      [cameras, 'camera'],
+      [instances, 'group of copies', 'groups of copies'],
+    ])}`,
+} satisfies Partial<Table>;
