@@ -65,34 +65,6 @@ Solid extruded(std::string name, const std::vector<Vec2>& base, double depth) {
   return solid;
 }
 
-Solid cube(int n) {
-  constexpr double kSide = 60;
-  Solid solid{n == 1 ? "cube" : "grid cube", {}, {}};
-  std::map<std::array<int, 3>, int> vertices;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [found, is_new] = vertices.emplace(at, static_cast<int>(solid.positions.size()));
-    if (is_new) solid.positions.push_back(kSide / n * Vec3(at[0], at[1], at[2]));
-    return found->second;
-  };
-  for (const int axis : {0, 1, 2}) {
-    for (const int level : {0, n}) {
-      for (int i = 0; i < n * n; ++i) {
-        const auto corner = [&](int x, int y) {
-          std::array<int, 3> at;
-          at[axis] = level;
-          at[(axis + 1) % 3] = i % n + x;
-          at[(axis + 2) % 3] = i / n + y;
-          return vertex(at);
-        };
-        std::vector<int> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-        if (level == 0) std::ranges::reverse(quad);
-        solid.polygons.push_back(quad);
-      }
-    }
-  }
-  return solid;
-}
-
 Solid scaled_solid(const std::string& name, double scale) {
   std::vector<Solid> solids = drawn_solids();
   Solid solid = *std::ranges::find(solids, name, &Solid::name);
@@ -294,8 +266,8 @@ CraftShape as_cut(Solid solid, int pieces) {
 
 std::vector<CraftShape> craft_shapes() {
   std::vector<CraftShape> shapes;
-  shapes.push_back(as_cut(cube(1), 1));
-  shapes.push_back({cube(4), 7 * 60, 1});
+  shapes.push_back(as_cut(grid_cube_of(1, 60), 1));
+  shapes.push_back({grid_cube_of(4, 60), 7 * 60, 1});
   shapes.push_back(as_cut(scaled_solid("dodecahedron", 20), 1));
   shapes.push_back(as_cut(revolved("prism 6", {{30, 0}, {30, 60}}, 6, true, true), 1));
   shapes.push_back(as_cut(revolved("cylinder 32", {{30, 0}, {30, 60}}, 32, true, true), 1));
@@ -309,6 +281,33 @@ std::vector<CraftShape> craft_shapes() {
   shapes.push_back(as_cut(icosphere(), 1));
   shapes.push_back({revolved("vase 24x12", vase_profile(), 24, true, false), vase_by_hand(), 12});
   return shapes;
+}
+
+Solid grid_cube_of(int n, double side) {
+  Solid solid{n == 1 ? "cube" : "grid cube", {}, {}};
+  std::map<std::array<int, 3>, int> vertices;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [found, is_new] = vertices.emplace(at, static_cast<int>(solid.positions.size()));
+    if (is_new) solid.positions.push_back(side / n * Vec3(at[0], at[1], at[2]));
+    return found->second;
+  };
+  for (const int axis : {0, 1, 2}) {
+    for (const int level : {0, n}) {
+      for (int i = 0; i < n * n; ++i) {
+        const auto corner = [&](int x, int y) {
+          std::array<int, 3> at;
+          at[axis] = level;
+          at[(axis + 1) % 3] = i % n + x;
+          at[(axis + 2) % 3] = i / n + y;
+          return vertex(at);
+        };
+        std::vector<int> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+        if (level == 0) std::ranges::reverse(quad);
+        solid.polygons.push_back(quad);
+      }
+    }
+  }
+  return solid;
 }
 
 Solid together(std::string name, const std::vector<Solid>& solids) {

@@ -22,6 +22,9 @@ struct CraftShape {
 /// which is what any net in one piece cuts at least; for the torus and the vase bands around them.
 std::vector<CraftShape> craft_shapes();
 
+/// A cube from (0, 0, 0) whose sides are n x n squares.
+Solid grid_cube_of(int n, double side);
+
 /// As they are, each with its corners after those of the one before.
 Solid together(std::string name, const std::vector<Solid>& solids);
 

@@ -1,12 +1,12 @@
 #include "drawn_shapes.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "craft_shapes.h"
 
 namespace foldwright::testing {
 namespace {
@@ -16,32 +16,13 @@ using Face = std::array<int, 3>;
 }  // namespace
 
 Mesh grid_cube(int n) {
-  std::vector<Vec3> positions;
-  std::map<std::array<int, 3>, int> vertices;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [found, is_new] = vertices.emplace(at, static_cast<int>(positions.size()));
-    if (is_new) positions.push_back(2.0 / n * Vec3(at[0], at[1], at[2]) - Vec3(1, 1, 1));
-    return found->second;
-  };
+  Solid solid = grid_cube_of(n, 2);
+  for (Vec3& p : solid.positions) p -= Vec3(1, 1, 1);
   std::vector<Face> faces;
-  for (const int axis : {0, 1, 2}) {
-    for (const int level : {0, n}) {
-      for (int i = 0; i < n * n; ++i) {
-        const auto corner = [&](int x, int y) {
-          std::array<int, 3> at;
-          at[axis] = level;
-          at[(axis + 1) % 3] = i % n + x;
-          at[(axis + 2) % 3] = i / n + y;
-          return vertex(at);
-        };
-        std::array<int, 4> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-        if (level == 0) std::ranges::reverse(quad);
-        faces.push_back({quad[0], quad[1], quad[2]});
-        faces.push_back({quad[0], quad[2], quad[3]});
-      }
-    }
+  for (const std::vector<int>& quad : solid.polygons) {
+    faces.insert(faces.end(), {{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}});
   }
-  return make_mesh(std::move(positions), std::move(faces));
+  return make_mesh(std::move(solid.positions), std::move(faces));
 }
 
 Mesh prism(int sides, double height) {
