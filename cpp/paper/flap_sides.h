@@ -14,7 +14,7 @@ using SideHeights = std::array<double, 2>;
 /// What it costs to change sides between two seams of a chain, in shares of a missing flap. Between
 /// two pieces changes there and back cost less than a full flap that is lost, and more than a
 /// little of one. A piece is glued to itself bit by bit: there it only decides between equals.
-inline constexpr double kChangeBetween = 0.25;
+inline constexpr double kChangeBetween = 0.45;
 inline constexpr double kChangeWithin = 0.01;
 
 /// Per seam the side on which its flap goes: the higher one, but for chains, whose seams have
