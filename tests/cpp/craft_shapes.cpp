@@ -49,22 +49,6 @@ Solid revolved(std::string name, const std::vector<Vec2>& profile, int around, b
   return solid;
 }
 
-/// A prism along z over a polygon, counter-clockwise seen from above.
-Solid extruded(std::string name, const std::vector<Vec2>& base, double depth) {
-  const int n = static_cast<int>(base.size());
-  Solid solid{std::move(name), {}, {{}, {}}};
-  for (const double z : {0.0, depth}) {
-    for (const Vec2& p : base) solid.positions.emplace_back(p.x(), p.y(), z);
-  }
-  for (int i = 0; i < n; ++i) {
-    const int next = (i + 1) % n;
-    solid.polygons[0].push_back(n - 1 - i);
-    solid.polygons[1].push_back(n + i);
-    solid.polygons.push_back({i, next, n + next, n + i});
-  }
-  return solid;
-}
-
 Solid scaled_solid(const std::string& name, double scale) {
   std::vector<Solid> solids = drawn_solids();
   Solid solid = *std::ranges::find(solids, name, &Solid::name);
@@ -75,20 +59,20 @@ Solid scaled_solid(const std::string& name, double scale) {
 Solid cup() {
   const Solid body = revolved("", {{30, 0}, {30, 70}}, 32, true, false);
   // A handle with a profile like a C, 10 mm wide, that touches the wall at its ends.
-  Solid handle = extruded("",
-                          {{30, 12},
-                           {52, 12},
-                           {58, 18},
-                           {58, 52},
-                           {52, 58},
-                           {30, 58},
-                           {30, 50},
-                           {49, 50},
-                           {50, 49},
-                           {50, 21},
-                           {49, 20},
-                           {30, 20}},
-                          10);
+  Solid handle = prism_over("",
+                            {{30, 12},
+                             {52, 12},
+                             {58, 18},
+                             {58, 52},
+                             {52, 58},
+                             {30, 58},
+                             {30, 50},
+                             {49, 50},
+                             {50, 49},
+                             {50, 21},
+                             {49, 20},
+                             {30, 20}},
+                            10);
   for (Vec3& p : handle.positions) p.z() -= 5;
   return together("cup", {body, handle});
 }
@@ -111,18 +95,18 @@ Solid ring_of_strips(int around, int across) {
 
 /// Its gables have a doorway cut out, and the front one is drawn as two halves.
 Solid house() {
-  Solid solid = extruded("house",
-                         {{0, 0},
-                          {14, 0},
-                          {14, 20},
-                          {20, 20},
-                          {26, 20},
-                          {26, 0},
-                          {40, 0},
-                          {40, 35},
-                          {20, 60},
-                          {0, 35}},
-                         60);
+  Solid solid = prism_over("house",
+                           {{0, 0},
+                            {14, 0},
+                            {14, 20},
+                            {20, 20},
+                            {26, 20},
+                            {26, 0},
+                            {40, 0},
+                            {40, 35},
+                            {20, 60},
+                            {0, 35}},
+                           60);
   const int n = 10;
   solid.polygons[1] = {n + 0, n + 1, n + 2, n + 3, n + 8, n + 9};
   solid.polygons.push_back({n + 3, n + 4, n + 5, n + 6, n + 7, n + 8});

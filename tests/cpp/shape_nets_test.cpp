@@ -46,8 +46,10 @@ TEST(ShapeNets, OfAnExtrudedLAreOnePiece) {
 }
 
 TEST(ShapeNets, LieAlongTheSheetAlsoWhereTheyFillIt) {
+  int seen = 0;
   for (const CraftShape& shape : craft_shapes()) {
     if (shape.solid.name != "house" && shape.solid.name != "prism 6") continue;
+    ++seen;
     SCOPED_TRACE(shape.solid.name);
     const Outcome outcome = run_file(obj_of(shape.solid), "model.obj", {});
     expect_sound(outcome);
@@ -57,6 +59,7 @@ TEST(ShapeNets, LieAlongTheSheetAlsoWhereTheyFillIt) {
       EXPECT_NEAR(std::sin(2 * *grain), 0, 1e-6);
     }
   }
+  EXPECT_EQ(seen, 2);
 }
 
 }  // namespace

@@ -6,29 +6,12 @@
 #include <numbers>
 #include <set>
 
-#include "drawn_shapes.h"
 #include "meshes.h"
 
 namespace foldwright::testing {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-/// A prism of height 1 over a polygon, counter-clockwise seen from above.
-Solid prism(std::string name, const std::vector<Vec2>& base) {
-  const int n = static_cast<int>(base.size());
-  Solid solid{std::move(name), {}, {{}, {}}, n + 2};
-  for (const double z : {0.0, 1.0}) {
-    for (const Vec2& p : base) solid.positions.emplace_back(p.x(), p.y(), z);
-  }
-  for (int i = 0; i < n; ++i) {
-    const int next = (i + 1) % n;
-    solid.polygons[0].push_back((n - i) % n);
-    solid.polygons[1].push_back(n + i);
-    solid.polygons.push_back({i, next, n + next, n + i});
-  }
-  return solid;
-}
 
 Solid dodecahedron() {
   const double long_side = std::numbers::phi;
@@ -135,10 +118,25 @@ Solid voxels(std::string name, const std::set<std::array<int, 3>>& cubes, int pa
 
 }  // namespace
 
+Solid prism_over(std::string name, const std::vector<Vec2>& base, double depth) {
+  const int n = static_cast<int>(base.size());
+  Solid solid{std::move(name), {}, {{}, {}}, n + 2};
+  for (const double z : {0.0, depth}) {
+    for (const Vec2& p : base) solid.positions.emplace_back(p.x(), p.y(), z);
+  }
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    solid.polygons[0].push_back((n - i) % n);
+    solid.polygons[1].push_back(n + i);
+    solid.polygons.push_back({i, next, n + next, n + i});
+  }
+  return solid;
+}
+
 std::vector<Solid> drawn_solids() {
-  return {prism("cube", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}), dodecahedron(),
-          prism("L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}), tube(16), quad_torus(8, 6),
-          tent(),
+  return {prism_over("cube", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1), dodecahedron(),
+          prism_over("L", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1), tube(16),
+          quad_torus(8, 6), tent(),
           // A body of three cubes with two arms, one cube each: a cross lying down.
           voxels("cross", {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}}, 14)};
 }

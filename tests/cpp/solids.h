@@ -15,6 +15,9 @@ struct Solid {
   int panels = 0;  ///< as many flat regions as it has
 };
 
+/// A prism along z over a polygon, counter-clockwise seen from above.
+Solid prism_over(std::string name, const std::vector<Vec2>& base, double depth);
+
 /// Cube, dodecahedron, prism over an L, tube of 16 sides, torus of 8 x 6 quads, tent, and a figure
 /// of voxels, most about 2 across.
 std::vector<Solid> drawn_solids();

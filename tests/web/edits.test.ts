@@ -4,7 +4,8 @@ import { runJob, type RunOptions, type TimedResult } from '../../web/core/client
 import { writeFold } from '../../web/export/fold.js';
 import { defaultOptions } from '../../web/model/default-options.js';
 import { isRenaming, merging, renamed, splitting, startFrom } from '../../web/model/edits.js';
-import type { JobOptions, JobResult, Piece } from '../../web/model/job.js';
+import type { JobResult, Piece } from '../../web/model/job.js';
+import type { JobOptions } from '../../web/model/job-options.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';

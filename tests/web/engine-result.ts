@@ -1,7 +1,8 @@
 /** Results of the built engine, for tests of what is made of them. */
 import { runJob } from '../../web/core/client.js';
 import { defaultOptions } from '../../web/model/default-options.js';
-import type { JobOptions, JobResult } from '../../web/model/job.js';
+import type { JobResult } from '../../web/model/job.js';
+import type { JobOptions } from '../../web/model/job-options.js';
 import { withThreads } from './thread-pool.js';
 
 /** Unfolds a model, given as the text of an OBJ file. */

@@ -7,7 +7,7 @@ import type { OpenModel } from '../../web/app/store.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { renamed } from '../../web/model/edits.js';
-import type { PartName } from '../../web/model/job.js';
+import type { PartName } from '../../web/model/job-options.js';
 import type { Settings } from '../../web/model/options.js';
 import type { Report } from '../../web/export/report.js';
 

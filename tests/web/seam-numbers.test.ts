@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { numberIn, numberRuns, seamNumbers } from '../../web/export/seam-numbers.js';
-import type { IdPlace } from '../../web/model/job.js';
+import type { IdPlace } from '../../web/model/job-options.js';
 import { engineResult } from './engine-result.js';
 import { cubeResult } from './fixtures.js';
 import { objText, wavyRing } from './model-text.js';

@@ -1,7 +1,13 @@
 /** What a document is at one point of its history. */
 import type { TimedResult } from '../core/client.js';
 import { jobOptions, printOptions, type Settings } from '../model/options.js';
-import type { EdgeLock, FlapChoice, JobOptions, PartName, PinnedPiece } from '../model/job.js';
+import type {
+  EdgeLock,
+  FlapChoice,
+  JobOptions,
+  PartName,
+  PinnedPiece,
+} from '../model/job-options.js';
 import type { PrintOptions } from '../model/print-options.js';
 
 /** All that was asked for; plain values. */

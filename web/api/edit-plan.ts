@@ -1,15 +1,8 @@
 /** What an edit asks of the engine. */
 import type { DocumentEdit } from '../model/document-edits.js';
 import { renamed, startFrom, startInPlace } from '../model/edits.js';
-import type {
-  EdgeLock,
-  EdgeName,
-  FlapChoice,
-  JobStart,
-  NetEdit,
-  PartEdit,
-  Piece,
-} from '../model/job.js';
+import type { EdgeName, JobStart, NetEdit, PartEdit, Piece } from '../model/job.js';
+import type { EdgeLock, FlapChoice } from '../model/job-options.js';
 import type { Message, MessageParams } from '../model/message.js';
 import { BadOption } from '../words/bad-option.js';
 import type { Code, Messages } from '../words/messages.js';

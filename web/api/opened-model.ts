@@ -3,7 +3,8 @@ import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
 import { readModel } from '../core/model-reader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
-import type { JobOptions, JobResult } from '../model/job.js';
+import type { JobResult } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { ReadModel } from '../read/read-model.js';
 

@@ -1,5 +1,5 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { FlapSide, IdPlace } from '../model/job.js';
+import type { FlapSide, IdPlace } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';

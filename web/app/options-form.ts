@@ -1,5 +1,5 @@
 import { defaultOptions } from '../model/default-options.js';
-import type { Orientation } from '../model/job.js';
+import type { Orientation } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
 import { defaultSettings } from '../api/written-options.js';

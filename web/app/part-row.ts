@@ -1,4 +1,5 @@
-import type { JobResult, PartName, Piece } from '../model/job.js';
+import type { JobResult, Piece } from '../model/job.js';
+import type { PartName } from '../model/job-options.js';
 import { partColour } from '../model/part-colours.js';
 import { make } from './dom.js';
 import { listed } from './folding-words.js';

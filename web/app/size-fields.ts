@@ -1,4 +1,4 @@
-import type { Sizing, Unit, Up } from '../model/job.js';
+import type { Sizing, Unit, Up } from '../model/job-options.js';
 import type { sizings, Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';

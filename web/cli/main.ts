@@ -10,7 +10,7 @@ import type { TimedEvent } from '../core/protocol.js';
 import type { Print } from '../export/print.js';
 import { makeReport } from '../export/report.js';
 import { reportText } from '../export/report-text.js';
-import type { JobOptions } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import type { ModelFiles } from '../model/model-files.js';
 import { parseCommandLine, type Commands } from './command-line.js';

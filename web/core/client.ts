@@ -1,4 +1,5 @@
-import type { JobOptions, JobResult, JobStart } from '../model/job.js';
+import type { JobResult, JobStart } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { engineDied, JobError } from './job-error.js';

@@ -5,7 +5,8 @@
  * say, and moves the bytes without looking at them. Jobs and workers are numbered by the main
  * thread, tasks and surfaces by the job.
  */
-import type { JobEvent, JobOptions, JobStart } from '../model/job.js';
+import type { JobEvent, JobStart } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import type { Message } from '../model/message.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';

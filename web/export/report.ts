@@ -1,5 +1,6 @@
 import { extentsOf } from '../model/bounds.js';
-import type { FlapCounts, JobOptions, JobResult, Notice, Piece, Repair } from '../model/job.js';
+import type { FlapCounts, JobResult, Notice, Piece, Repair } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import { median } from '../model/median.js';
 import { paperUse } from '../model/paper-use.js';
 import { resultNotices } from '../model/result-notices.js';

@@ -1,4 +1,4 @@
-import type { JobOptions } from './job.js';
+import type { JobOptions } from './job-options.js';
 
 /** What a job does when nothing is asked for: the defaults of the command line and of the studio. */
 export const defaultOptions: Readonly<JobOptions> = {

@@ -1,4 +1,5 @@
-import type { JobResult, JobStart, NetEdit, PartEdit, PartName, Piece } from './job.js';
+import type { JobResult, JobStart, NetEdit, PartEdit, Piece } from './job.js';
+import type { PartName } from './job-options.js';
 
 /** Splits a part in so many. */
 export function splitting(part: number, into = 2): PartEdit {

@@ -1,6 +1,6 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from './default-options.js';
-import type { JobOptions } from './job.js';
+import type { JobOptions } from './job-options.js';
 import { defaultPrint, dpiRange, measurable, type PrintOptions } from './print-options.js';
 import {
   choice,

@@ -1,5 +1,5 @@
 /** What the readers hand over. */
-import type { JobOptions } from '../model/job.js';
+import type { JobOptions } from '../model/job-options.js';
 import type { Message } from '../model/message.js';
 import type { ModelFile } from '../model/model-files.js';
 import type { Code, Messages } from '../words/messages.js';
