@@ -3,6 +3,7 @@
  * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
  */
 import type { PartName } from './job-options.js';
+import type { Looks } from './looks.js';
 import type { Message } from './message.js';
 import type { Stage } from './stages.js';
 
@@ -242,6 +243,8 @@ export interface JobResult {
   efficiency: number;
   /** Millimetres per unit of the model. */
   scale: number;
+  /** Absent where the files say nothing of it. */
+  looks?: Looks;
   seams: NamedSeam[];
   flaps: FlapCounts;
   /**
