@@ -239,6 +239,14 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       expect(session.edits).toHaveLength(2);
     }));
 
+  it('says what is wrong with a value that is no edit, and works on', () =>
+    withSession(async (session) => {
+      const nothing = { kind: 'name', part: 1 } as unknown as DocumentEdit;
+      await expect(session.apply(nothing)).rejects.toThrow('text');
+      expect(session.edits).toEqual([]);
+      await made(session, { kind: 'name', part: 1, text: 'Ear' });
+    }));
+
   it('can be cancelled', () =>
     withSession(async (session) => {
       const signal = AbortSignal.timeout(5);

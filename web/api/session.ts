@@ -28,6 +28,7 @@ import {
 } from './edit-plan.js';
 import { History } from './history.js';
 import { OpenedModel } from './opened-model.js';
+import { readEdits } from './read-edits.js';
 import type { RunWork, WorkOptions } from './work.js';
 
 /** An edit that was made. */
@@ -131,13 +132,15 @@ export class Session {
   /**
    * Makes an edit, or several at once that split, merge and search whole parts: their numbers are those
    * of before. An edit that cannot be made changes nothing and says why.
+   *
+   * Rejects with a `BadEdit` for a value that is no edit.
    */
   apply(
     edit: DocumentEdit | readonly DocumentEdit[],
     work: WorkOptions = {},
   ): Promise<Applied | Refusal> {
-    const edits = Array.isArray(edit) ? (edit as readonly DocumentEdit[]) : [edit as DocumentEdit];
     return this.inTurn(async () => {
+      const edits = readEdits(Array.isArray(edit) ? edit : [edit]);
       if (!this.history) throw new Error(nothing);
       const before = await this.history.current(work);
       const plan = planEdits(before, edits);

@@ -1,0 +1,58 @@
+#include "pipeline/source_model.h"
+
+#include <gtest/gtest.h>
+
+#include "job_runs.h"
+#include "mesh/input_error.h"
+
+namespace foldwright::testing {
+namespace {
+
+std::vector<ModelFile> files_of(const std::string& text) { return {{"a.obj", to_bytes(text)}}; }
+
+TEST(SourceModel, KnowsFileAndNotices) {
+  std::vector<ModelFile> files = files_of(obj_of(tetrahedron()));
+  files.push_back({"readme.txt", to_bytes("hello")});
+  const SourceModel model = read_source_model(files, {});
+  EXPECT_EQ(model.file, "a.obj");
+  EXPECT_EQ(model.mesh.face_count(), 4);
+  EXPECT_EQ(model.origins.size(), 4u);
+  ASSERT_EQ(model.notices.size(), 1u);
+  EXPECT_EQ(describe(model.notices[0]), "files-ignored files=readme.txt");
+}
+
+TEST(ModelMemory, ReadsTheSameFilesOnce) {
+  ModelMemory memory;
+  const auto files = files_of(obj_of(tetrahedron()));
+  const auto model = memory.read(files, {});
+  EXPECT_EQ(memory.read(files, {}), model);
+  EXPECT_EQ(memory.read(files, {.parts = 3, .seed = 5}), model) << "they do not concern it";
+  EXPECT_NE(memory.read(files, {.up = Up::kZ}), model);
+  EXPECT_NE(memory.read(files_of(obj_of(cube())), {.up = Up::kZ})->mesh.face_count(), 4);
+}
+
+TEST(ModelMemory, KeepsNothingOfAFileThatGivesNoModel) {
+  ModelMemory memory;
+  const auto files = files_of(obj_of(tetrahedron()));
+  memory.read(files, {});
+  EXPECT_THROW(memory.read(files_of("v 0 0 0\n"), {}), InputError);
+  EXPECT_EQ(memory.read(files, {})->mesh.face_count(), 4);
+}
+
+TEST(Job, ComesToTheSameWithAndWithoutAMemory) {
+  const auto memory = std::make_shared<JobMemory>();
+  const JobOptions options = {.parts = 2, .runs = 10};
+  for (const Mesh& mesh : {cube(), bumpy_sphere(100), cube()}) {
+    const auto files = files_of(obj_of(mesh));
+    const Outcome alone = run_job(Job(files, options));
+    for (int round = 0; round < 2; ++round) {
+      const Outcome again = run_job(Job(files, options, {}, memory));
+      EXPECT_EQ(again.result->hash, alone.result->hash);
+      EXPECT_EQ(again.notices(), alone.notices());
+      EXPECT_EQ(again.result->printed_ids, alone.result->printed_ids);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foldwright::testing
