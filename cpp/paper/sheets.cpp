@@ -111,6 +111,35 @@ bool is_within(const Footprint& print, const Extent& room) {
   });
 }
 
+/// The least move along an axis that takes what lies from `low` to `high` into a room from 0 to
+/// `size`; 0 where that takes more than `play`, or is impossible.
+double move_into(double low, double high, double size, double play) {
+  const double move = std::max(0.0, -low) - std::max(0.0, high - size);
+  const bool is_possible = high - low <= size + kPinSlack && std::abs(move) <= play;
+  return is_possible ? move : 0;
+}
+
+/// The pin, moved so that its piece lies within the room where it sticks out by little.
+Pin pulled_in(Pin pin, const Footprint& piece, const SheetTask& task, const Extent& room) {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+  for (const Vec2& p : placed(piece, pin, task.options).points()) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  pin.place.x += move_into(low.x(), high.x(), room.width, task.pin_play);
+  pin.place.y += move_into(low.y(), high.y(), room.height, task.pin_play);
+  return pin;
+}
+
+std::vector<std::optional<Pin>> pulled_in(const SheetTask& task, const Extent& room) {
+  std::vector<std::optional<Pin>> pins(task.pins.begin(), task.pins.end());
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    if (pins[i]) pins[i] = pulled_in(*pins[i], task.pieces[i], task, room);
+  }
+  return pins;
+}
+
 /// Pieces that lie on sheets already.
 class PinnedPieces {
  public:
@@ -135,12 +164,14 @@ class PinnedPieces {
 };
 
 /// Says why pins cannot stay; empty if they can.
-std::optional<Parameters> fault_of_pins(const SheetTask& task, const Extent& room) {
+std::optional<Parameters> fault_of_pins(const SheetTask& task,
+                                        std::span<const std::optional<Pin>> pins,
+                                        const Extent& room) {
   PinnedPieces pinned;
-  for (std::size_t i = 0; i < task.pins.size(); ++i) {
-    if (!task.pins[i]) continue;
-    const int sheet = task.pins[i]->place.sheet;
-    PlacedPrint print(placed(task.pieces[i], *task.pins[i], task.options));
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    if (!pins[i]) continue;
+    const int sheet = pins[i]->place.sheet;
+    PlacedPrint print(placed(task.pieces[i], *pins[i], task.options));
     if (!is_within(print.print, room)) {
       return {{{"what", "outside"}, {"piece", task.names[i]}, {"sheet", sheet + 1}}};
     }
@@ -191,11 +222,18 @@ class SheetPlanner::Work {
     if (std::ranges::none_of(task_.pins, [](const auto& pin) { return pin.has_value(); })) return;
     std::optional<Parameters> fault;
     for (current_ = 0; current_ < sheets_.size(); ++current_) {
-      std::optional<Parameters> found = fault_of_pins(task_, room());
+      std::vector<std::optional<Pin>> pins = pulled_in(task_, room());
+      std::optional<Parameters> found = fault_of_pins(task_, pins, room());
       if (!found) {
+        room_pins_ = std::move(pins);
         sheets_ = {sheets_[current_]};
         current_ = 0;
         has_pins_ = true;
+        for (std::optional<Pin>& pin : room_pins_) {
+          if (!pin) continue;
+          pin->place.x -= ruled_margin(task_.options);
+          pin->place.y -= ruled_margin(task_.options);
+        }
         return;
       }
       if (!fault) fault = std::move(found);
@@ -204,12 +242,6 @@ class SheetPlanner::Work {
   }
 
   void begin() {
-    room_pins_.assign(task_.pins.begin(), task_.pins.end());
-    for (std::optional<Pin>& pin : room_pins_) {
-      if (!pin) continue;
-      pin->place.x -= ruled_margin(task_.options);
-      pin->place.y -= ruled_margin(task_.options);
-    }
     PackingTask task = {task_.pieces, room(), task_.options.gap, task_.parts};
     if (has_pins_) task.pins = room_pins_;
     task.effort = task_.effort;
@@ -282,6 +314,7 @@ bool drop_clashing_pins(const SheetTask& task, std::span<const std::optional<Pin
   for (const bool by_person : {true, false}) {
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (!held[i] || pins[i].has_value() != by_person) continue;
+      if (by_person) held[i] = pulled_in(*held[i], task.pieces[i], task, room);
       const int on = held[i]->place.sheet;
       PlacedPrint print(placed(task.pieces[i], *held[i], options));
       if (is_within(print.print, room) && !pinned.hit_by(on, print)) {

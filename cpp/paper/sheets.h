@@ -70,6 +70,9 @@ struct SheetTask {
   std::span<const std::optional<Pin>> pins = {};  ///< per piece, or empty
   std::span<const std::string> names = {};        ///< per piece, for what is said of pins
   int effort = kFullEffort;                       ///< packings that are tried, at most
+  /// Pinned pieces that stick out of the printable area by no more than this are moved into it, in
+  /// millimetres: a pinned piece that gets a flap may have become larger.
+  double pin_play = 0;
 
   static constexpr int kFullEffort = 200;
 };

@@ -120,7 +120,9 @@ void PaperDrafter::begin_packing() {
 }
 
 SheetTask PaperDrafter::sheet_task(std::span<const std::optional<Pin>> pins) const {
-  return {draft_.prints, state_.options.sheet, parts_, pins, draft_.names, effort_};
+  SheetTask task = {draft_.prints, state_.options.sheet, parts_, pins, draft_.names, effort_};
+  task.pin_play = state_.options.flaps.shape.height;
+  return task;
 }
 
 /// Tries to leave nets where they lay in the earlier result, unless flaps run into each other

@@ -288,6 +288,26 @@ TEST(LayOnSheets, RefusesPinsThatCannotStay) {
   EXPECT_EQ(fault({{0, 10, 10}, 0}, {{2, 5, 10}, 0}), "bad-pin what=outside piece=Wing sheet=3");
 }
 
+TEST(LayOnSheets, MovesPinnedPiecesIntoThePrintableAreaIfTheyStickOutByLittle) {
+  const std::vector<Net> nets = {rectangle(100, 50)};
+  const std::vector<Footprint> prints = {footprint_of(nets[0])};
+  const std::vector<std::string> names = {"A"};
+  const SheetOptions options = {
+      .width = 210, .height = 297, .margin = 10, .orientation = Orientation::kPortrait};
+  const auto place = [&](double x, double y) {
+    const std::vector<std::optional<Pin>> pins = {Pin{{0, x, y}, 0}};
+    SheetTask task = {.pieces = prints, .options = options, .pins = pins, .names = names};
+    task.pin_play = 5;
+    const Placement placed = lay_on_sheets(task).placements[0];
+    return Vec2(placed.x, placed.y);
+  };
+  const double low = ruled_margin(options);
+  EXPECT_EQ(place(20, 30), Vec2(20, 30));
+  EXPECT_EQ(place(low - 3, 30), Vec2(low, 30));
+  EXPECT_EQ(place(100 + 4, 297 - 10 - 50 + 5), Vec2(100, 297 - 10 - 50));
+  EXPECT_THROW(place(100 + 5.1, 30), InputError);
+}
+
 TEST(LayOnSheets, RefusesMarginsThatLeaveNothing) {
   std::vector<Net> nets = {rectangle(1, 1)};
   try {

@@ -196,9 +196,12 @@ export function planEdits(
 
 /** Pins and names as they are after a job, which may have given parts other numbers. */
 export function settledWishes(wishes: Wishes, { result }: Pick<DocumentState, 'result'>): Wishes {
-  const isThere = new Set(result.pieces.map(({ sources }) => sources[0]!));
-  const pins = wishes.pins
-    .filter(({ face }) => isThere.has(face))
-    .map((pin) => ({ ...pin, part: result.labels[pin.face]! }));
+  const pieces = new Map(result.pieces.map((piece) => [piece.sources[0]!, piece]));
+  const pins = wishes.pins.flatMap((pin) => {
+    const piece = pieces.get(pin.face);
+    if (!piece) return [];
+    const { sheet, x, y } = piece;
+    return [{ ...pin, part: result.labels[pin.face]!, sheet, x, y }];
+  });
   return { ...wishes, names: result.names, pins };
 }
