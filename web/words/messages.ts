@@ -193,6 +193,15 @@ export interface OwnMessages {
   'no-model-in-archive': { file: string; files: string[] };
   'too-many-triangles': { most: number };
 
+  'damaged-looks': None;
+  'large-pictures': { files: string[]; most: number; most_mb: number };
+  'lost-looks': Counted;
+  'missing-looks': { what: 'pictures' | 'libraries'; files: string[] };
+  'simplified-looks': None;
+  'unknown-materials': { names: string[] };
+  'unread-libraries': { files: string[] };
+  'unread-pictures': { files: string[]; kinds: string[] };
+
   'archive-choice': { file: string; others: string[] };
   'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };
   'posed-skins': Counted;

@@ -1,0 +1,122 @@
+/** What lies beside a model that the engine reads: its materials and pictures. */
+import type { EngineLooks, LookedFiles, Material } from '../model/looks.js';
+import type { Message } from '../model/message.js';
+import type { ModelFile } from '../model/model-files.js';
+import { white } from './colours.js';
+import type { Companions } from './companions.js';
+import { readMtl, type MtlMaterial } from './mtl.js';
+import { namesOfLine } from './obj-libraries.js';
+import { Pictures } from './pictures.js';
+import { plyPictures } from './ply-pictures.js';
+import { notice } from './read-model.js';
+
+export interface FileLooks extends LookedFiles {
+  /** Whether all faces with a place in pictures are of the first material. */
+  isForAll: boolean;
+  notices: Message[];
+}
+
+const plain = {
+  colour: white,
+  picture: null,
+  wrap: ['repeat', 'repeat'],
+  scale: [1, 1],
+  offset: [0, 0],
+} as const;
+
+/** A material with the path of its file. */
+interface Described extends MtlMaterial {
+  library: string;
+}
+
+/** The libraries of an OBJ file, and what is wrong with them. */
+class Libraries {
+  /** The first of each name counts. */
+  readonly materials = new Map<string, Described>();
+  private readonly missing: string[] = [];
+  private readonly unread: string[] = [];
+
+  constructor(lines: readonly string[], companions: Companions) {
+    for (const line of lines) {
+      const found = namesOfLine(line).flatMap((name) => companions.find(name) ?? []);
+      if (found.length === 0) this.missing.push(line);
+      found.forEach((file) => this.take(file));
+    }
+  }
+
+  private take({ name, bytes }: ModelFile): void {
+    const materials = readMtl(bytes);
+    if (materials.length === 0) this.unread.push(name);
+    for (const material of materials) {
+      if (this.materials.has(material.name)) continue;
+      this.materials.set(material.name, { ...material, library: name });
+    }
+  }
+
+  /** @param names that faces call their materials by */
+  noticesFor(names: readonly string[]): Message[] {
+    const { materials, missing, unread } = this;
+    const notices: Message[] = [];
+    if (missing.length > 0) {
+      notices.push(notice('missing-looks', { what: 'libraries', files: missing }));
+    }
+    if (unread.length > 0) notices.push(notice('unread-libraries', { files: unread }));
+    const unknown = names.filter((name) => !materials.has(name.trim()));
+    if (materials.size > 0 && unknown.length > 0) {
+      notices.push(notice('unknown-materials', { names: unknown }));
+    }
+    return notices;
+  }
+}
+
+/** Pictures replace the colour of their material, as programs leave that at grey or black then. */
+function materialOf(
+  name: string,
+  described: Described | undefined,
+  pictures: Pictures,
+  companions: Companions,
+): Material {
+  if (!described) return { ...plain, name };
+  const { library, picture } = described;
+  const colour = described.colour ?? white;
+  if (!picture) return { ...plain, name, colour };
+  const { path, wrap, scale, offset } = picture;
+  const file = companions.find(path, library);
+  const number = pictures.add(file?.name ?? path, path, () => file);
+  if (number === null) return { ...plain, name, colour };
+  return { name, colour: white, picture: number, wrap: [wrap, wrap], scale, offset };
+}
+
+/** Of an OBJ file, by the names of its materials and libraries. */
+function objLooks({ materialNames, libraries }: EngineLooks, companions: Companions): FileLooks {
+  const found = new Libraries(libraries, companions);
+  const pictures = new Pictures();
+  const materials = materialNames.map((name) =>
+    materialOf(name, found.materials.get(name.trim()), pictures, companions),
+  );
+  const notices = [...found.noticesFor(materialNames), ...pictures.notices];
+  return { materials, pictures: pictures.files, isForAll: false, notices };
+}
+
+/** Of a PLY file that names a picture. Of several, which faces tell apart in their own ways, the first is taken. */
+function plyLooks([name]: readonly string[], companions: Companions): FileLooks {
+  const pictures = new Pictures();
+  const picture = pictures.add(name!, name!, () => companions.find(name!));
+  const material: Material = { ...plain, name: name!, picture };
+  return {
+    materials: [material],
+    pictures: pictures.files,
+    isForAll: true,
+    notices: pictures.notices,
+  };
+}
+
+/** @param model as the engine has read it */
+export function fileLooks(
+  model: ModelFile,
+  engine: EngineLooks,
+  companions: Companions,
+): FileLooks {
+  const named = plyPictures(model.bytes);
+  return named.length > 0 ? plyLooks(named, companions) : objLooks(engine, companions);
+}
