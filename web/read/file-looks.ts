@@ -11,7 +11,7 @@ import { plyPictures } from './ply-pictures.js';
 import { notice } from './read-model.js';
 
 export interface FileLooks extends LookedFiles {
-  /** Whether all faces with a place in pictures are of the first material. */
+  /** Whether all faces are of the first material where none has a number. */
   isForAll: boolean;
   notices: Message[];
 }
@@ -98,17 +98,13 @@ function objLooks({ materialNames, libraries }: EngineLooks, companions: Compani
   return { materials, pictures: pictures.files, isForAll: false, notices };
 }
 
-/** Of a PLY file that names a picture. Of several, which faces tell apart in their own ways, the first is taken. */
-function plyLooks([name]: readonly string[], companions: Companions): FileLooks {
+/** Of a PLY file that names pictures, whose numbers its faces have; it may leave them out. */
+function plyLooks(names: readonly string[], companions: Companions): FileLooks {
   const pictures = new Pictures();
-  const picture = pictures.add(name!, name!, () => companions.find(name!));
-  const material: Material = { ...plain, name: name!, picture };
-  return {
-    materials: [material],
-    pictures: pictures.files,
-    isForAll: true,
-    notices: pictures.notices,
-  };
+  const materials = names.map((name): Material => {
+    return { ...plain, name, picture: pictures.add(name, name, () => companions.find(name)) };
+  });
+  return { materials, pictures: pictures.files, isForAll: true, notices: pictures.notices };
 }
 
 /** @param model as the engine has read it */

@@ -1,6 +1,6 @@
 import type { EngineLooks, LookedFiles, LookedSurface, Looks } from '../model/looks.js';
 
-/** The number of the first material for each of its faces. */
+/** The number of the first material for each face, if they have no numbers and places in pictures. */
 function allOfFirst(surface: LookedSurface): LookedSurface {
   const { places, materials } = surface;
   if (!places || materials) return surface;

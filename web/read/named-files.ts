@@ -1,8 +1,8 @@
 /** Which other files a model is made of, by what its own file says. */
-import type { GLTF } from '@gltf-transform/core';
 import type { ModelFile } from '../model/model-files.js';
 import { formatOf } from './format.js';
 import { namedFiles as namedByGltf } from './gltf/buffers.js';
+import { openContainer } from './gltf/container.js';
 import { readMtl } from './mtl.js';
 import { librariesIn, namesOfLine } from './obj-libraries.js';
 import { plyPictures } from './ply-pictures.js';
@@ -10,17 +10,16 @@ import { plyPictures } from './ply-pictures.js';
 /** Finds the file of an address in the file `base`; null for one that is not there. */
 export type FindFile = (address: string, base: string) => ModelFile | null;
 
-function namedIn(bytes: Uint8Array): string[] {
-  const format = formatOf(bytes);
-  if (format === 'gltf') {
-    try {
-      return namedByGltf(JSON.parse(new TextDecoder().decode(bytes)) as GLTF.IGLTF);
-    } catch {
-      // Whoever reads it says why it is unreadable.
-      return [];
-    }
+function namedIn(model: ModelFile): string[] {
+  const format = formatOf(model.bytes);
+  if (format === null) return plyPictures(model.bytes);
+  if (format !== 'glb' && format !== 'gltf') return [];
+  try {
+    return namedByGltf(openContainer(model, format === 'glb').json);
+  } catch {
+    // Whoever reads it says why it is unreadable.
+    return [];
   }
-  return format === null ? plyPictures(bytes) : [];
 }
 
 /** Addresses of the pictures of a library of materials. */
@@ -32,7 +31,8 @@ function picturesIn(bytes: Uint8Array): string[] {
  * The files that a model's file names, and those that these name: buffers, materials and pictures, as far as they
  * are found. Each address is looked for once.
  */
-export function companionsOf({ name, bytes }: ModelFile, find: FindFile): ModelFile[] {
+export function companionsOf(model: ModelFile, find: FindFile): ModelFile[] {
+  const { name, bytes } = model;
   const asked = new Set<string>();
   const found = new Map<string, ModelFile>();
   const take = (address: string, base: string): ModelFile | null => {
@@ -43,7 +43,7 @@ export function companionsOf({ name, bytes }: ModelFile, find: FindFile): ModelF
     if (file) found.set(file.name, file);
     return file;
   };
-  for (const address of namedIn(bytes)) take(address, name);
+  for (const address of namedIn(model)) take(address, name);
   const libraries = formatOf(bytes) === null ? librariesIn(bytes) : [];
   for (const address of libraries.flatMap(namesOfLine)) {
     const library = take(address, name);

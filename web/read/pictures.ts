@@ -42,11 +42,12 @@ export class Pictures {
       this.unread.push({ name, kind });
       return null;
     }
-    this.bytes += bytes.length;
-    if (this.bytes > mostMegabytes * 2 ** 20 || this.files.length === mostPictures) {
+    const isTooMuch = this.bytes + bytes.length > mostMegabytes * 2 ** 20;
+    if (isTooMuch || this.files.length === mostPictures) {
       this.large.push(name);
       return null;
     }
+    this.bytes += bytes.length;
     return this.files.push({ name, bytes }) - 1;
   }
 

@@ -78,12 +78,13 @@ function kinds(counts: readonly (readonly [number, string, string?])[]): string 
 
 function missingLooks({ what, files }: Messages['missing-looks']): string {
   const [is, them] = [choose(files.length, 'is', 'are'), choose(files.length, 'it', 'them')];
-  const those = {
-    pictures: choose(files.length, 'the picture', 'the pictures'),
-    libraries: `the ${choose(files.length, 'file', 'files')} with the model's colours and pictures,`,
-  };
+  const names = some(files);
+  const those =
+    what === 'pictures'
+      ? `${choose(files.length, 'the picture', 'the pictures')} ${names}`
+      : `${choose(files.length, 'the file', 'the files')} with the model's colours and pictures, ${names},`;
   return (
-    `${those[what]} ${some(files)} ${is} missing, so those faces stay plain; ` +
+    `${those} ${is} missing, so those faces stay plain; ` +
     `choose ${them} together with the model, or choose the whole folder`
   );
 }

@@ -1,6 +1,7 @@
 import type { Material } from '../../model/looks.js';
 import type { ModelFile } from '../../model/model-files.js';
 import type { Colour } from '../colours.js';
+import { decoded } from '../paths.js';
 import type { Pictures } from '../pictures.js';
 import type { Properties, PropertyGroup, Texture } from './properties.js';
 
@@ -111,7 +112,7 @@ export class PackageLooks {
   }
 
   private withPicture({ path, wrap }: Texture): Material {
-    const name = path.replace(/^\/+/, '');
+    const name = decoded(path).replace(/^\/+/, '');
     const picture = this.pictures.add(path, name, () => this.find(path));
     return { ...plainMaterial({ name, colour: [255, 255, 255] }), picture, wrap };
   }

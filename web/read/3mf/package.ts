@@ -64,7 +64,7 @@ export class Package {
   /** A picture by its path; null if it is not there. */
   picture(path: string): ModelFile | null {
     const bytes = this.bytesOf(path);
-    return bytes && { name: path.replace(/^\/+/, ''), bytes };
+    return bytes && { name: decoded(path).replace(/^\/+/, ''), bytes };
   }
 
   private bytesOf(path: string): Uint8Array | null {
