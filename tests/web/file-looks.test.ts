@@ -124,7 +124,7 @@ describe('the looks of an OBJ file', () => {
 
   it('tell of pictures of other kinds, of libraries that are none, and of materials that are in none', () => {
     const given = { names: ['wood', 'gold'], libraries: ['a.mtl', 'b.mtl'] };
-    const beside = [file('a.mtl', mtl), file('b.mtl', 'x'), file('wood.png', beginnings['DDS']!)];
+    const beside = [file('a.mtl', mtl), file('b.mtl', 'x'), file('wood.png', beginnings['DDS'])];
     expect(notices(finished(given, ...beside))).toEqual([
       ['unread-libraries', ['b.mtl']],
       ['unknown-materials', ['gold']],
