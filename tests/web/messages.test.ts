@@ -108,8 +108,11 @@ const examples: readonly [KnownMessage, string][] = [
     'the colours and pictures in the file are damaged: only its shape was read; export it again',
   ],
   [
-    { code: 'large-pictures', params: { files: ['a.png'], most: 256, most_mb: 64 } },
-    'a.png was left out: 256 pictures and 64 MB of them can be used; make them smaller in a program for pictures',
+    {
+      code: 'large-pictures',
+      params: { files: ['a.png'], most: 256, most_mb: 64, most_pixels: 2 ** 26 },
+    },
+    'a.png was left out: up to 256 pictures of 64 MB together can be used, each of 67 million pixels at most; make it smaller in a program for pictures',
   ],
   [
     { code: 'lost-looks', params: { count: 2 } },

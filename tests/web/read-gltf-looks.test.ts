@@ -21,10 +21,7 @@ function addTriangle(scene: Scene, material: Material, places: Record<string, nu
 }
 
 function withPicture(scene: Scene, bytes: Uint8Array = png): Material {
-  const texture = scene.document
-    .createTexture('wood')
-    .setImage(bytes)
-    .setMimeType('image/png');
+  const texture = scene.document.createTexture('wood').setImage(bytes).setMimeType('image/png');
   return scene.document.createMaterial('planks').setBaseColorTexture(texture);
 }
 

@@ -1,5 +1,6 @@
 import type { Message } from '../model/message.js';
 import type { ModelFile } from '../model/model-files.js';
+import { pictureHeader, type PictureHeader } from '../model/picture-header.js';
 import { isUsable, pictureKind } from './picture-kind.js';
 import { notice } from './read-model.js';
 
@@ -8,6 +9,16 @@ const mostMegabytes = 64;
 
 /** Far more than any model has; each may be a texture of its own on screen. */
 const mostPictures = 256;
+
+/** No screen card takes longer sides. */
+const longestSide = 16_384;
+
+/** Of one picture: drawing it takes several bytes for each. */
+const mostPixels = 2 ** 26;
+
+function isLarge({ width, height }: PictureHeader): boolean {
+  return Math.max(width, height) > longestSide || width * height > mostPixels;
+}
 
 /** The pictures of a model, each once, and what is to be told of those that cannot be used. */
 export class Pictures {
@@ -38,12 +49,13 @@ export class Pictures {
 
   private taken({ name, bytes }: ModelFile): number | null {
     const kind = pictureKind(bytes);
-    if (!isUsable(kind)) {
-      this.unread.push({ name, kind });
+    const header = pictureHeader(bytes);
+    if (!isUsable(kind) || !header) {
+      this.unread.push({ name, kind: isUsable(kind) ? '' : kind });
       return null;
     }
     const isTooMuch = this.bytes + bytes.length > mostMegabytes * 2 ** 20;
-    if (isTooMuch || this.files.length === mostPictures) {
+    if (isTooMuch || isLarge(header) || this.files.length === mostPictures) {
       this.large.push(name);
       return null;
     }
@@ -63,7 +75,7 @@ export class Pictures {
       notices.push(notice('unread-pictures', { files, kinds }));
     }
     if (large.length > 0) {
-      const most = { most: mostPictures, most_mb: mostMegabytes };
+      const most = { most: mostPictures, most_mb: mostMegabytes, most_pixels: mostPixels };
       notices.push(notice('large-pictures', { files: large, ...most }));
     }
     return notices;

@@ -118,9 +118,10 @@ export const readerMessages = {
 
   'damaged-looks': () =>
     'the colours and pictures in the file are damaged: only its shape was read; export it again',
-  'large-pictures': ({ files, most, most_mb }) =>
-    `${some(files)} ${choose(files.length, 'was', 'were')} left out: ${figure(most)} pictures and ${figure(most_mb)} MB ` +
-    'of them can be used; make them smaller in a program for pictures',
+  'large-pictures': ({ files, most, most_mb, most_pixels }) =>
+    `${some(files)} ${choose(files.length, 'was', 'were')} left out: up to ${figure(most)} pictures of ` +
+    `${figure(most_mb)} MB together can be used, each of ${figure(most_pixels / 1e6, 0)} million pixels at most; ` +
+    `make ${choose(files.length, 'it', 'them')} smaller in a program for pictures`,
   'lost-looks': ({ count: number }) =>
     `${count(number, 'colour or picture', 'colours or pictures')} that the model refers to ${choose(number, 'is', 'are')} ` +
     'not in the file, so those faces stay white; export it again',

@@ -194,7 +194,7 @@ export interface OwnMessages {
   'too-many-triangles': { most: number };
 
   'damaged-looks': None;
-  'large-pictures': { files: string[]; most: number; most_mb: number };
+  'large-pictures': { files: string[]; most: number; most_mb: number; most_pixels: number };
   'lost-looks': Counted;
   'missing-looks': { what: 'pictures' | 'libraries'; files: string[] };
   'simplified-looks': None;
