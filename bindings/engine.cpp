@@ -55,6 +55,12 @@ class SurfaceHandle {
   std::shared_ptr<const foldwright::Surface> surface_;
 };
 
+/// Of all jobs of this instance of the engine, which come one after the other.
+std::shared_ptr<foldwright::JobMemory> memory() {
+  static const auto of_instance = std::make_shared<foldwright::JobMemory>();
+  return of_instance;
+}
+
 /// A job behind a boundary that no exception crosses: what goes wrong becomes its one event.
 class JobHandle {
  public:
@@ -62,7 +68,7 @@ class JobHandle {
     try {
       std::optional<foldwright::JobStart> from;
       if (!start.isNull()) from = foldwright::start_from(start);
-      job_.emplace(files_from(files), foldwright::options_from(options), std::move(from));
+      job_.emplace(files_from(files), foldwright::options_from(options), std::move(from), memory());
     } catch (const std::bad_alloc&) {
       failure_ = {{"out-of-memory", {{"what", "file"}}}};
     } catch (const std::exception& error) {

@@ -34,14 +34,19 @@ val repair_value(const Repair& repair) {
   return object;
 }
 
+/// Triples of coordinates in millimetres.
+val positions_value(const std::vector<Vec3>& positions, double scale) {
+  std::vector<double> values;
+  for (const Vec3& p : positions) {
+    for (const double x : {p.x(), p.y(), p.z()}) values.push_back(scale * x);
+  }
+  return doubles(values);
+}
+
 /// The mesh at its finished size.
 val model_value(const JobResult& result) {
-  std::vector<double> vertices;
-  for (const Vec3& p : result.mesh.positions) {
-    for (const double x : {p.x(), p.y(), p.z()}) vertices.push_back(result.sheets.scale * x);
-  }
   val object = val::object();
-  object.set("vertices", doubles(vertices));
+  object.set("vertices", positions_value(result.mesh.positions, result.sheets.scale));
   object.set("faces", ints(flat(result.mesh.faces)));
   object.set("components", result.mesh.component_count);
   return object;
@@ -251,6 +256,36 @@ val saved_net_value(const SavedNet& net) {
   return object;
 }
 
+/// A list as a typed array, row by row; null for an empty one.
+template <class Row>
+val rows_or_null(const char* array, const std::vector<Row>& rows) {
+  if (rows.empty()) return val::null();
+  std::vector<typename Row::value_type> values;
+  for (const Row& row : rows) values.insert(values.end(), row.begin(), row.end());
+  return copied(array, values);
+}
+
+val looks_value(const ModelLooks& looks, double scale) {
+  val original = val::null();
+  if (looks.original) {
+    original = val::object();
+    original.set("vertices", positions_value(looks.original->positions, scale));
+    original.set("faces", ints(flat(looks.original->faces)));
+  }
+  const FaceLooks& faces = looks.faces;
+  val surface = val::object();
+  surface.set("original", original);
+  surface.set("places", rows_or_null("Float32Array", faces.places));
+  surface.set("colours", rows_or_null("Uint8Array", faces.colours));
+  surface.set("materials", faces.materials.empty() ? val::null() : ints(faces.materials));
+  const auto text = [](const std::string& name) { return val(name); };
+  val object = val::object();
+  object.set("surface", surface);
+  object.set("materialNames", list(looks.material_names, text));
+  object.set("libraries", list(looks.libraries, text));
+  return object;
+}
+
 val sheets_value(const SheetLayout& layout) {
   val array = val::array();
   for (int i = 0; i < layout.sheet_count; ++i) {
@@ -287,6 +322,7 @@ val result_value(const JobResult& result) {
   object.set("file", result.file);
   object.set("model", model_value(result));
   object.set("deviation", result.sheets.scale * result.simplified_deviation);
+  if (result.looks) object.set("looks", looks_value(*result.looks, result.sheets.scale));
   object.set("repairs", list(result.repairs, repair_value));
   object.set("segmentation", ints(result.segmentation));
   object.set("labels", ints(result.labels));

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "mesh/polygon_soup.h"
+
 namespace foldwright {
 namespace {
 

@@ -2,9 +2,11 @@
 
 #include <array>
 
-#include "mesh/polygon_soup.h"
+#include "geometry/vec.h"
 
 namespace foldwright {
+
+struct PolygonSoup;
 
 /// The place in a file that a corner of a face comes from: a weighted mean of three corners of one
 /// face of the file. Whatever the file gives at its corners (positions, texture coordinates,

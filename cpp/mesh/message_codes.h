@@ -38,6 +38,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "flipped-faces",
     "halved-edges",
     "ignored-elements",
+    "lost-picture-places",
     "merged-two-sided",
     "missing-endsolid",
     "open-border",  // also an edit that cannot be made
@@ -63,6 +64,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "no-width",
     "out-of-memory",
     "too-few-sheets",
+    "too-many-faces",
     // Edits of nets that cannot be made.
     "already-cut",
     "already-joined",
@@ -77,12 +79,12 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "overlap",
     "would-fall-apart",
     // What to know about a result.
+    "colour-numbers",
     "faces-above-wish",
     "files-ignored",
     "joints",
     "joints-lost",
     "large-model",
-    "materials-ignored",
     "meets-itself",
     "no-motion",
     "part-split",

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/vec.h"
+#include "mesh/looks.h"
 #include "mesh/message.h"
 
 namespace foldwright {
@@ -43,10 +44,7 @@ struct PolygonSoup {
   /// from how the file writes its numbers; 0 for a soup that was not read from a file.
   double precision = 0;
   Axis usual_up = Axis::kY;  ///< the axis that points up in most files of its format
-  /// Whether the file gives its surface colours (materials count as such), or pictures of it. Only
-  /// that there are some is kept.
-  bool has_colours = false;
-  bool has_textures = false;
+  SoupLooks looks;
 
   int face_count() const { return static_cast<int>(first_corner.size()) - 1; }
 };

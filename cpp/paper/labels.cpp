@@ -2,232 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 #include <optional>
 
-#include "paper/callouts.h"
 #include "paper/joint_line.h"
+#include "paper/label_space.h"
 #include "paper/tape_marks.h"
 
 namespace foldwright {
-namespace {
-
-// The largest that fits is taken; below 2.5 mm (7 pt) a name is hard to find among the lines.
-constexpr double kNameSizes[] = {6, 4.5, 3.5, 2.5};
-// Ids are looked at from close by. Of 2 mm and more they are easy to read.
-constexpr double kEasySizes[] = {3, 2.5, 2};
-// 1.4 mm is 4 pt, the least that laser and inkjet printers render.
-constexpr double kSmallSizes[] = {1.7, 1.4};
-constexpr double kLeastId = 1.4;
-// Where a line leads to the edge larger ones would be in the way of others.
-constexpr double kEasyLed[] = {2};
-
-// Between a text and the middle of a line, of which half is 0.13 mm.
-constexpr double kNameClearance = 0.7;
-constexpr double kIdClearance = 0.25;
-
-constexpr int kPlacesPerEdge = 9;
-
-// How far a text may move away from its edge, in steps, and still seem to belong to it; mm.
-constexpr double kAways[] = {0, 0.4, 0.8};
-
-// Sides of seams that are served in a step: a few milliseconds.
-constexpr int kSidesPerStep = 100;
-
-// So far from its edge, in mm, a face has begun.
-constexpr double kOffBase = 1e-3;
-
-/// Where an id may go: in a band beside a base, from `from` in direction `along`.
-struct Band {
-  Vec2 from, along;
-  Vec2 across;                        ///< unit vector away from the base
-  double length;                      ///< of the base
-  double depth;                       ///< of the band; 0: no end
-  std::span<const Vec2> within = {};  ///< a convex polygon, counter-clockwise; empty: anywhere
-};
-
-/// A face, seen from one of its sides.
-struct FaceSide {
-  Vec2 from, along;  ///< `along`: unit vector; the face is on its left
-  double length, height;
-  double foot;  ///< of the opposite corner, along the side
-};
-
-/// The box of a text on a side of a face, where the face is widest at the height of the text; empty
-/// if it does not go into the face.
-std::optional<TextBox> box_on(const FaceSide& side, const std::string& text, double size,
-                              double clearance) {
-  TextBox box = box_around(text, size, side.from, side.along, clearance);
-  const double share = 2 * box.half_height / side.height;
-  if (2 * box.half_width > (1 - share) * side.length) return std::nullopt;
-  const double middle = 0.5 * side.length + share * (side.foot - 0.5 * side.length);
-  box.centre += middle * side.along + (box.half_height + 1e-6) * box.up();
-  return box;
-}
-
-/// A face in which a name may stand.
-struct NameFace {
-  Vec2 centre;  ///< of the circle inside it
-  std::array<FaceSide, 3> sides;
-  double area;
-};
-
-NameFace name_face(const std::array<Vec2, 3>& corners) {
-  NameFace face = {Vec2::Zero(), {}, 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0])};
-  Vec3 lengths;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2& from = corners[(i + 1) % 3];
-    const Vec2 side = corners[(i + 2) % 3] - from;
-    const double length = side.norm();
-    const Vec2 along = side / length;
-    face.sides[i] = {from, along, length, 2 * face.area / length, along.dot(corners[i] - from)};
-    face.centre += length * corners[i];
-    lengths[static_cast<int>(i)] = length;
-  }
-  face.centre /= lengths.sum();
-  return face;
-}
-
-/// The faces of a net, those near its middle first.
-std::vector<NameFace> faces_from_middle(const Net& net) {
-  std::vector<NameFace> faces;
-  Vec2 middle = Vec2::Zero();
-  double total = 0;
-  for (const auto& [a, b, c] : net.corners) {
-    const std::array<Vec2, 3> corners = {net.vertices[a], net.vertices[b], net.vertices[c]};
-    const NameFace& face = faces.emplace_back(name_face(corners));
-    middle += face.area / 3 * (corners[0] + corners[1] + corners[2]);
-    total += face.area;
-  }
-  middle /= total;
-  const auto away = [&](const NameFace& face) { return (face.centre - middle).norm(); };
-  std::ranges::stable_sort(faces, {}, away);
-  return faces;
-}
-
-/// Whether a box lies within a convex polygon, or there is none.
-bool is_within(const TextBox& box, std::span<const Vec2> polygon) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& a = polygon[i];
-    const Vec2 side = polygon[(i + 1) % polygon.size()] - a;
-    const auto is_left = [&](const Vec2& p) { return cross(side, p - a) >= 0; };
-    if (!std::ranges::all_of(box.corners(), is_left)) return false;
-  }
-  return true;
-}
-
-/// The texts of one net.
-class Writer {
- public:
-  Writer(const Net& net, std::span<const Flap> flaps)
-      : space_(net, flaps), callouts_(net, kLeastId, kIdClearance) {}
-
-  /// The name in a face, large rather than near the middle of the net; turned along a side of the
-  /// face only where it has no room else.
-  void write_name(const Net& net, const std::string& name);
-
-  /// Writes a text in the band in the first of the sizes that fits, near its middle and close to
-  /// the base.
-  bool write_in_band(const Band& band, const std::string& text, std::span<const double> sizes) {
-    return std::ranges::any_of(sizes, [&](double size) { return write_in_band(band, text, size); });
-  }
-
-  /// Writes apart from the edge, with a line that leads to it; false if there is no room.
-  bool call_out(const SeamSide& side, const std::string& text, std::span<const double> sizes) {
-    const auto found = callouts_.find(space_, side, text, sizes);
-    if (!found) return false;
-    write(text, found->size, found->box);
-    space_.take(found->leader);
-    labels_.back().leader = found->leader;
-    return true;
-  }
-
-  /// Keeps texts off a line.
-  void keep_off(const Stroke& line) { space_.take(line); }
-
-  const LabelSpace& space() const { return space_; }
-  std::vector<Label> take() { return std::move(labels_); }
-
- private:
-  bool write_if_free(const std::string& text, double size, const TextBox& box) {
-    if (!space_.is_free(box)) return false;
-    write(text, size, box);
-    return true;
-  }
-
-  bool write_in_band(const Band& band, const std::string& text, double size) {
-    const TextBox shape = box_around(text, size, band.from, band.along, kIdClearance);
-    const double spare = band.length - 2 * shape.half_width;
-    const double depth = 2 * shape.half_height;
-    if (spare < 0 || (band.depth > 0 && depth > band.depth)) return false;
-    for (const double further : kAways) {
-      if (band.depth > 0 && depth + further > band.depth) break;
-      for (int i = 0; i < kPlacesPerEdge; ++i) {
-        // From the middle to both ends in turn.
-        const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
-        const double x = 0.5 * band.length + spare * step / (kPlacesPerEdge - 1);
-        const double y = shape.half_height + 1e-6 + further;
-        TextBox box = shape;
-        box.centre = band.from + x * band.along + y * band.across;
-        // A narrow flap has no room beside its slanted sides, which a box need not touch.
-        if (!is_within(box, band.within) || !space_.is_free(box)) continue;
-        // Beyond a face that is thinner than the text is away there is no paper.
-        const Vec2 base = band.from + x * band.along + kOffBase * band.across;
-        if (band.within.empty() && !space_.is_open({base, box.centre})) continue;
-        write(text, size, box);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  void write(const std::string& text, double size, const TextBox& box) {
-    space_.take(box);
-    // Turned by half a turn where it would stand on its head; straight up reads from below.
-    const bool is_upright = box.along.x() > 1e-9 || (box.along.x() > -1e-9 && box.along.y() > 0);
-    const Vec2 along = is_upright ? box.along : -box.along;
-    labels_.push_back({text, box.centre, std::atan2(along.y(), along.x()), size});
-  }
-
-  LabelSpace space_;
-  CalloutFinder callouts_;
-  std::vector<Label> labels_;
-};
-
-void Writer::write_name(const Net& net, const std::string& name) {
-  const std::vector<NameFace> faces = faces_from_middle(net);
-  for (const double size : kNameSizes) {
-    for (const NameFace& face : faces) {
-      const TextBox box = box_around(name, size, face.centre, Vec2(1, 0), kNameClearance);
-      if (write_if_free(name, size, box)) return;
-    }
-  }
-  for (const double size : kNameSizes) {
-    for (const NameFace& face : faces) {
-      for (const FaceSide& side : face.sides) {
-        const auto box = box_on(side, name, size, kNameClearance);
-        if (box && write_if_free(name, size, *box)) return;
-      }
-    }
-  }
-}
-
-Band inside_band(const SeamSide& side) {
-  const Vec2 along = (side.to - side.from).normalized();
-  return {side.from, along, Vec2(-along.y(), along.x()), side.length(), 0};
-}
-
-Band flap_band(const SeamSide& side, const Flap& flap) {
-  const Vec2 along = (side.to - side.from).normalized();
-  return {flap.corners[0],
-          along,
-          Vec2(along.y(), -along.x()),
-          (flap.corners[3] - flap.corners[0]).norm(),
-          flap.height,
-          flap.corners};
-}
-
-}  // namespace
 
 class LabelPlacer::Work {
  public:
@@ -235,30 +17,19 @@ class LabelPlacer::Work {
     ids_ = name_seams(task.nets, task.names, seams_, task.joints);
     add_joints();
     written_.resize(seams_.size());
+    sides_.resize(task.nets.size());
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
-      for (const int s : {0, 1}) open_.push_back({i, s});
+      for (const int s : {0, 1}) sides_[seams_[i].sides[s].net].push_back({i, s});
     }
-    // Long edges have more places to choose from.
-    std::ranges::stable_sort(
-        open_, {}, [&](const Side& side) { return seams_[side.seam].sides[side.side].length(); });
+    for (std::vector<SeamStep>& sides : sides_) {
+      // Long edges have more places to choose from.
+      std::ranges::stable_sort(sides, {}, [&](const SeamStep& step) { return at(step).length(); });
+    }
   }
 
   bool step() {
-    if (writers_.size() < task_.nets.size()) {
-      const std::size_t n = writers_.size();
-      writers_.emplace_back(task_.nets[n], task_.flaps[n]);
-      for (const Stroke& line : plan_.joint_lines[n]) writers_[n].keep_off(line);
-      writers_[n].write_name(task_.nets[n], task_.names[n]);
-      return false;
-    }
-    if (task_.place == IdPlace::kNone) next_ = open_.size();
-    for (int i = 0; i < kSidesPerStep && next_ < open_.size(); ++i) serve(open_[next_++]);
-    if (next_ < open_.size()) return false;
-    if (round_ != Round::kLedSmall) {
-      // What found no place yet, once all else stands.
-      round_ = static_cast<Round>(static_cast<int>(round_) + 1);
-      std::erase_if(open_, [&](const Side& side) { return is_written(side); });
-      next_ = 0;
+    if (texts_.size() < task_.nets.size()) {
+      write_next();
       return false;
     }
     finish();
@@ -268,13 +39,7 @@ class LabelPlacer::Work {
   LabelPlan take() { return std::move(plan_); }
 
  private:
-  /// How texts are placed, one after the other: beside their edges or with a line that leads there,
-  /// in sizes that are easy to read and in small ones.
-  enum class Round { kEasy, kLed, kSmall, kLedSmall };
-
-  struct Side {
-    int seam, side;
-  };
+  const SeamSide& at(const SeamStep& step) const { return seams_[step.seam].sides[step.side]; }
 
   void add_joints() {
     plan_.joint_lines.resize(task_.nets.size());
@@ -287,56 +52,89 @@ class LabelPlacer::Work {
     }
   }
 
-  char& is_written(const Side& at) { return written_[at.seam][at.side]; }
-
-  void serve(const Side& at) {
-    const SeamSide& side = seams_[at.seam].sides[at.side];
-    Writer& writer = writers_[side.net];
-    const std::string& text = ids_[at.seam].texts[at.side];
-    if (round_ == Round::kLed || round_ == Round::kLedSmall) {
-      const auto sizes = round_ == Round::kLed ? std::span<const double>(kEasyLed) : kSmallSizes;
-      is_written(at) = writer.call_out(side, text, sizes);
-      return;
+  PieceTextTask task_of(std::size_t n) const {
+    PieceTextTask task{&task_.nets[n], task_.flaps[n],       task_.names[n],
+                       task_.place,    plan_.joint_lines[n], {}};
+    for (const SeamStep& step : sides_[n]) {
+      task.ids.push_back({&at(step), ids_[step.seam].texts[step.side]});
     }
-    const auto sizes = round_ == Round::kEasy ? std::span<const double>(kEasySizes) : kSmallSizes;
-    const auto& flaps = task_.flaps[side.net];
-    const auto flap = std::ranges::lower_bound(flaps, side.edge(), {}, &Flap::edge);
-    const bool has_flap = flap != flaps.end() && flap->edge == side.edge();
-    const bool on_flap = has_flap && task_.place != IdPlace::kInside &&
-                         writer.write_in_band(flap_band(side, *flap), text, sizes);
-    const bool is_enough = on_flap && task_.place == IdPlace::kFlap;
-    is_written(at) = is_enough || writer.write_in_band(inside_band(side), text, sizes) || on_flap;
+    return task;
   }
 
-  void finish() {
-    plan_.tape_marks.resize(task_.nets.size());
-    for (std::size_t i = 0; i < seams_.size(); ++i) {
-      const Seam& seam = seams_[i];
-      plan_.seams.push_back({seam.mesh_edges, {seam.sides[0].net, seam.sides[1].net}, ids_[i]});
-      if (task_.place != IdPlace::kNone) {
-        const bool is_complete = written_[i][0] && written_[i][1];
-        if (is_complete) ++plan_.printed;
-        if (!is_complete) plan_.skipped.push_back(ids_[i].name);
+  /// Takes a net's texts from the memory, or does a step of writing them.
+  void write_next() {
+    if (!writer_) {
+      PieceTextTask task = task_of(texts_.size());
+      if (task_.memory) {
+        key_ = bytes_of(task);
+        if (const PieceTexts* known = task_.memory->find(key_)) return add(*known);
       }
+      writer_.emplace(std::move(task));
+    }
+    if (!writer_->step()) return;
+    PieceTexts texts = writer_->take();
+    writer_.reset();
+    if (task_.memory) task_.memory->keep(std::move(key_), texts);
+    add(std::move(texts));
+  }
+
+  void add(PieceTexts texts) {
+    const std::vector<SeamStep>& sides = sides_[texts_.size()];
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      written_[sides[i].seam][sides[i].side] = texts.is_written[i];
+    }
+    texts_.push_back(std::move(texts));
+  }
+
+  /// What is drawn on a net by now.
+  LabelSpace space_of(int net) const {
+    LabelSpace space(task_.nets[net], task_.flaps[net]);
+    for (const Stroke& line : plan_.joint_lines[net]) space.take(line);
+    for (const TextBox& box : texts_[net].boxes) space.take(box);
+    for (const Label& label : texts_[net].labels) {
+      if (label.leader) space.take(*label.leader);
+    }
+    return space;
+  }
+
+  void mark_for_tape() {
+    plan_.tape_marks.resize(task_.nets.size());
+    std::map<int, LabelSpace> spaces;
+    const auto space = [&](int net) {
+      const auto found = spaces.find(net);
+      return &(found != spaces.end() ? found : spaces.emplace(net, space_of(net)).first)->second;
+    };
+    for (const Seam& seam : seams_) {
       if (!std::ranges::binary_search(task_.tape, seam.mesh_edge())) continue;
-      const auto marks = tape_marks(
-          seam, {&writers_[seam.sides[0].net].space(), &writers_[seam.sides[1].net].space()});
+      const auto marks = tape_marks(seam, {space(seam.sides[0].net), space(seam.sides[1].net)});
       for (const int s : {0, 1}) {
         auto& all = plan_.tape_marks[seam.sides[s].net];
         all.insert(all.end(), marks[s].begin(), marks[s].end());
       }
     }
-    for (Writer& writer : writers_) plan_.labels.push_back(writer.take());
+  }
+
+  void finish() {
+    mark_for_tape();
+    for (std::size_t i = 0; i < seams_.size(); ++i) {
+      const Seam& seam = seams_[i];
+      plan_.seams.push_back({seam.mesh_edges, {seam.sides[0].net, seam.sides[1].net}, ids_[i]});
+      if (task_.place == IdPlace::kNone) continue;
+      const bool is_complete = written_[i][0] && written_[i][1];
+      if (is_complete) ++plan_.printed;
+      if (!is_complete) plan_.skipped.push_back(ids_[i].name);
+    }
+    for (PieceTexts& texts : texts_) plan_.labels.push_back(std::move(texts.labels));
   }
 
   LabelTask task_;
   std::vector<Seam> seams_;
   std::vector<SeamId> ids_;                   ///< per seam
+  std::vector<std::vector<SeamStep>> sides_;  ///< per net, short ones first
   std::vector<std::array<char, 2>> written_;  ///< per seam and side
-  std::vector<Side> open_;
-  std::size_t next_ = 0;  ///< of `open_`
-  Round round_ = Round::kEasy;
-  std::vector<Writer> writers_;
+  std::vector<PieceTexts> texts_;             ///< of the nets so far
+  std::optional<PieceWriter> writer_;         ///< of the next net
+  std::string key_;                           ///< of its texts in the memory
   LabelPlan plan_;
 };
 

@@ -5,29 +5,11 @@
 #include <string>
 
 #include "paper/flaps.h"
+#include "paper/label.h"
 #include "paper/seam_ids.h"
-#include "paper/text_box.h"
+#include "paper/text_memory.h"
 
 namespace foldwright {
-
-/// Where the ids of cut edges go.
-enum class IdPlace {
-  kNone,
-  kInside,  ///< on the faces, beside the edge
-  kFlap,    ///< on flaps, and beside edges without one
-  kBoth
-};
-
-/// A short text on a piece: the piece's name, or the id of an edge.
-struct Label {
-  std::string text;
-  Vec2 centre;   ///< of its box
-  double angle;  ///< of its baseline in radians, in (-pi/2, pi/2]: never upside down
-  double size;   ///< of the font; mm
-  /// From the text to what it names, where it stands apart from it.
-  std::optional<Stroke> leader = {};
-  bool is_beside = false;  ///< beside the piece, on what is cut off
-};
 
 /// A seam with what is printed at it.
 struct NamedSeam {
@@ -60,6 +42,7 @@ struct LabelTask {
   IdPlace place = IdPlace::kFlap;
   std::span<const int> tape = {};     ///< mesh edges to mark for tape, ascending
   std::span<const Seam> joints = {};  ///< of the nets, see `find_joint_seams`
+  TextMemory* memory = nullptr;       ///< of nets that had texts before, if there are some
 };
 
 /// Names pieces, writes the id of each seam at both of its sides (`seam_ids.h`), and marks edges

@@ -32,7 +32,9 @@ Task TaskQueue::take() {
   return task;
 }
 
-Job::Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start) {
+Job::Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start,
+         std::shared_ptr<JobMemory> memory) {
+  state_.memory = std::move(memory);
   state_.files = std::move(files);
   state_.options = options;
   state_.start = std::move(start);

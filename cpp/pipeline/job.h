@@ -18,8 +18,10 @@ class Job {
   /// With a `start` the job changes an earlier result: it learns and searches only what the edits
   /// name, and all other parts keep their nets and motions, bit by bit. The options that decide the
   /// mesh must be those of the earlier job; `JobOptions::parts` is not read.
-  /// Which of the files is the model, `find_model` says. \pre there is a file
-  Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start = {});
+  /// Which of the files is the model, `find_model` says. What jobs that share a memory have done
+  /// before is not done again; none of them may run beside another. \pre there is a file
+  Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start = {},
+      std::shared_ptr<JobMemory> memory = std::make_shared<JobMemory>());
 
   /// Runs everything here: does about `work` microseconds' worth and tells what happened. A
   /// stage's own work (reading, an eigenvalue solve) is not sliced.

@@ -190,8 +190,8 @@ void PaperPlanner::lay_strips() {
 void PaperPlanner::begin_labels() {
   const PaperDraft& draft = plan_.draft;
   joints_ = find_joint_seams(state_.surface->mesh, draft.flat);
-  labels_.emplace(
-      LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_, joints_});
+  labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_,
+                            joints_, &state_.memory->texts});
   phase_ = Phase::kLabels;
   progress_ = 0.8;
 }

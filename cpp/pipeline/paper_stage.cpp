@@ -17,13 +17,14 @@ namespace {
 
 /// Per face of the file as read the part of the first triangle that came from it.
 std::vector<int> source_segmentation(const JobState& state) {
-  std::vector<int> segmentation(state.model.source_face_count, -1);
-  for (std::size_t face = 0; face < state.source_faces.size(); ++face) {
-    int& part = segmentation[state.source_faces[face]];
+  const SourceModel& model = *state.model;
+  std::vector<int> segmentation(model.file_face_count, -1);
+  for (std::size_t face = 0; face < model.source_faces.size(); ++face) {
+    int& part = segmentation[model.source_faces[face]];
     // Triangles of one polygon may lie in two parts when it is not flat.
     if (part != -1) continue;
     const int standin =
-        state.face_standins.empty() ? static_cast<int>(face) : state.face_standins[face];
+        model.face_standins.empty() ? static_cast<int>(face) : model.face_standins[face];
     part = state.labels[standin];
   }
   return segmentation;
@@ -179,8 +180,9 @@ class PaperStage : public Stage {
   void end(JobState& state, Events& events) override {
     JobResult& result = state.result.emplace();
     result.labels = state.labels;
-    result.file = state.model_file;
-    result.simplified_deviation = state.simplified_deviation;
+    result.file = state.model->file;
+    result.simplified_deviation = state.model->simplified_deviation;
+    result.looks = state.model->looks;
     result.segmentation = source_segmentation(state);
     result.pieces = std::move(pieces_);
     PaperDraft& draft = plan_->draft;
@@ -207,7 +209,7 @@ class PaperStage : public Stage {
     add_neck_notice(state);
     add_unchecked_notices(state, draft.nets);
     result.mesh = state.surface->mesh;
-    result.repairs = std::move(state.model.repairs);
+    result.repairs = state.model->repairs;
     result.parts = state.parts;
     result.names = state.names;
     result.moves = state.moves;

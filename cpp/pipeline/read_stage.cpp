@@ -2,91 +2,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
-#include "mesh/nearest_face.h"
-#include "mesh/simplify.h"
 #include "pipeline/edits.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
-#include "read/read_model.h"
-#include "read/turn_up.h"
-#include "repair/joints.h"
 
 namespace foldwright {
 namespace {
-
-Axis up_of(const PolygonSoup& soup, Up asked) {
-  switch (asked) {
-    case Up::kX:
-      return Axis::kX;
-    case Up::kY:
-      return Axis::kY;
-    case Up::kZ:
-      return Axis::kZ;
-    case Up::kGuess:
-      break;
-  }
-  return soup.usual_up;
-}
-
-/// Tells what of the file's looks is not printed.
-void tell_looks(const PolygonSoup& soup, JobState& state) {
-  if (!soup.has_colours && !soup.has_textures) return;
-  const char* looks = !soup.has_textures ? "colours" : !soup.has_colours ? "textures" : "both";
-  state.notices.push_back({"materials-ignored", {{"what", looks}}});
-}
-
-/// Tells which files came along that nothing is made of.
-void tell_ignored(JobState& state) {
-  if (state.files.empty()) return;
-  std::vector<std::string> names;
-  for (const ModelFile& file : state.files) names.push_back(file.name);
-  state.notices.push_back({"files-ignored", {{"files", names}}});
-}
-
-/// Reads the model among the files, frees it, and keeps the others.
-PolygonSoup read_files(JobState& state) {
-  const auto chosen = state.files.begin() + static_cast<std::ptrdiff_t>(find_model(state.files));
-  const ModelFile model = std::move(*chosen);
-  state.files.erase(chosen);
-  state.model_file = model.name;
-  return read_model(model.bytes, model.name);
-}
-
-/// The files' model with y up. A guess is told where the model was turned for it.
-PolygonSoup read_upright(JobState& state) {
-  PolygonSoup soup = read_files(state);
-  tell_ignored(state);
-  tell_looks(soup, state);
-  const Axis up = up_of(soup, state.options.up);
-  turn_up(soup.positions, up);
-  if (state.options.up == Up::kGuess && up != Axis::kY) {
-    state.notices.push_back({"up-guessed"});
-  }
-  return soup;
-}
-
-/// Simplifies on demand, and remembers which face stands for which.
-Mesh simplified(JobState& state) {
-  Mesh mesh = std::move(state.model.mesh);
-  state.source_faces = mesh.source_faces;
-  const int wanted = state.options.faces;
-  if (wanted == 0 || mesh.face_count() <= wanted) return mesh;
-  Mesh simple = simplify(mesh, {.target_faces = wanted});
-  state.face_standins = nearest_faces(mesh, simple);
-  state.model.origins = carry_origins(mesh, state.model.origins, simple);
-  state.simplified_deviation = largest_deviation(mesh, simple);
-  simple.joints = find_joints(simple);
-  if (const auto lost = static_cast<int>(mesh.joints.size() - simple.joints.size()); lost > 0) {
-    state.notices.push_back({"joints-lost", {{"count", lost}}});
-  }
-  if (simple.face_count() > wanted) {
-    state.notices.push_back({"faces-above-wish", {{"faces", simple.face_count()}}});
-  }
-  return simple;
-}
 
 std::vector<Component> make_components(const DualGraph& graph) {
   const Labels one_part(graph.panel_count(), 0);
@@ -141,17 +64,25 @@ void decide_parts(JobState& state) {
 /// bust in 12 parts, 5000 faces take 5, 20,000 take 16 and 70,000 take 229.
 double foreseen_seconds(double panels) { return 7e-4 * panels + 5.2e-13 * std::pow(panels, 3); }
 
-/// Says before the search what a large model will cost, and what would be quicker. Whoever asked
-/// for a number of faces knows.
+/// Paper models have some hundred faces: what is proposed where there are far too many.
+constexpr int kProposedFaces = 1500;
+
+/// Says before the search what a model of more faces than people fold will cost, and refuses one
+/// whose search would not end. Whoever asked for a number of faces knows.
 void foresee_cost(JobState& state, Events& events) {
-  constexpr double kWorthTelling = 12;  // seconds
-  // Far below what takes long, and most that one makes of paper in weeks.
-  constexpr int kProposedFaces = 3000;
-  const double seconds = foreseen_seconds(state.surface->graph.panel_count());
-  if (seconds < kWorthTelling || state.options.faces > 0) return;
-  const Notice notice("large-model", {{"faces", state.surface->mesh.face_count()},
-                                      {"seconds", seconds},
-                                      {"proposed", kProposedFaces}});
+  constexpr int kFoldableFaces = 2000;
+  // The foreseen time grows with the cube of this number; here it is ten minutes.
+  constexpr int kMostPanels = 100'000;
+  const int faces = state.surface->mesh.face_count();
+  const int panels = state.surface->graph.panel_count();
+  if (state.options.faces > 0 || panels <= kFoldableFaces) return;
+  if (panels > kMostPanels) {
+    throw InputError("too-many-faces",
+                     {{"faces", panels}, {"most", kMostPanels}, {"proposed", kProposedFaces}});
+  }
+  const Notice notice(
+      "large-model",
+      {{"faces", faces}, {"seconds", foreseen_seconds(panels)}, {"proposed", kProposedFaces}});
   state.notices.push_back(notice);
   events.push_back(notice);
 }
@@ -171,12 +102,14 @@ class ReadStage : public Stage {
     check_options(state.options);
     state.names = state.options.names;
     state.pins = state.options.pins;
-    const PolygonSoup soup = read_upright(state);
-    state.model = repair(soup);
+    state.model = state.memory->model.read(state.files, state.options);
+    state.files.clear();
+    const SourceModel& model = *state.model;
+    state.notices = model.notices;
     // At once, for what comes may take long, or fail.
-    for (const Repair& repair : state.model.repairs) events.push_back(message_of(repair));
-    state.surface = make_surface(kModelSurface, simplified(state), locks_in_force(state));
-    events.push_back(ModelEvent{state.surface, state.model_file});
+    for (const Repair& repair : model.repairs) events.push_back(message_of(repair));
+    state.surface = make_surface(kModelSurface, model.mesh, locks_in_force(state));
+    events.push_back(ModelEvent{state.surface, model.file});
     check_panels_fit(state);
     if (state.start) {
       start_from_earlier(state);

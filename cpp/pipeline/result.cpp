@@ -82,7 +82,7 @@ std::string canonical_dump(const JobResult& result) {
   return dump.take();
 }
 
-std::string hash_of(const std::string& bytes) {
+std::string hash_of(std::string_view bytes) {
   // Offset basis and prime of FNV-1a (Fowler, Noll, Vo).
   std::uint64_t hash = 0xcbf29ce484222325ull;
   for (const char byte : bytes) {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fold/motion.h"
+#include "mesh/looks.h"
 #include "paper/labels.h"
 #include "paper/sheets.h"
 #include "paper/strips.h"
@@ -65,11 +68,27 @@ struct SavedNet {
   std::optional<HeldPlace> place = {};
 };
 
+/// The surface that looks were given for, as it was before it was simplified. Model units, with the
+/// mesh's origin.
+struct OriginalSurface {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+};
+
+/// How the model looks, as its file says.
+struct ModelLooks {
+  FaceLooks faces;                          ///< of the mesh, or of the original
+  std::optional<OriginalSurface> original;  ///< only if the mesh was simplified
+  std::vector<std::string> material_names;  ///< see `SoupLooks`
+  std::vector<std::string> libraries;       ///< see `SoupLooks`
+};
+
 struct JobResult {
   std::string file;  ///< name of the file that the model was read from
   Mesh mesh;         ///< repaired, simplified if asked for, model units
   /// How far simplifying moved the surface, in model units: see `largest_deviation`.
   double simplified_deviation = 0;
+  std::optional<ModelLooks> looks;  ///< if its file says something of them
   std::vector<Repair> repairs;
   std::vector<int> segmentation;  ///< per face of the file as read: its part, -1 if dropped
   std::vector<int> labels;        ///< per face of the mesh: its part
@@ -96,6 +115,6 @@ struct JobResult {
 std::string canonical_dump(const JobResult& result);
 
 /// 64-bit FNV-1a hash in hexadecimal.
-std::string hash_of(const std::string& bytes);
+std::string hash_of(std::string_view bytes);
 
 }  // namespace foldwright

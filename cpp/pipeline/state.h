@@ -1,15 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "paper/text_memory.h"
 #include "pipeline/events.h"
 #include "pipeline/job_start.h"
 #include "pipeline/options.h"
+#include "pipeline/source_model.h"
 #include "pipeline/task.h"
-#include "read/model_files.h"
 
 namespace foldwright {
 
@@ -67,21 +69,22 @@ struct Component {
 /// A component of some panels of the model, ascending. \pre they are connected
 Component make_component(const DualGraph& model, std::vector<int> panels);
 
+/// What jobs remember for those that come after them in the same worker: with it results are the
+/// same, and sooner there.
+struct JobMemory {
+  ModelMemory model;
+  TextMemory texts;
+};
+
 /// What the stages of a job hand on to each other.
 struct JobState {
-  /// Once the model is read, only those that came along with it.
-  std::vector<ModelFile> files;
+  std::shared_ptr<JobMemory> memory = std::make_shared<JobMemory>();  ///< never null
+  std::vector<ModelFile> files;  ///< empty once the model is read
   JobOptions options;
   std::optional<JobStart> start;
 
-  std::string model_file;           ///< name of the file that the model was read from
-  RepairedModel model;              ///< the mesh moves on into `surface`
-  double simplified_deviation = 0;  ///< see `JobResult`
+  std::shared_ptr<const SourceModel> model;  ///< once it is read
   std::shared_ptr<const Surface> surface;
-  /// Per face of the repaired model the face of `surface` that stands for it; empty when
-  /// simplifying left it alone.
-  std::vector<int> face_standins;
-  std::vector<int> source_faces;  ///< per face of the repaired model
   std::vector<Component> components;
   int parts = 0;
   std::vector<int> labels;  ///< per face of `surface`: the number of its part

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "mesh/input_error.h"
 #include "read/byte_reader.h"
+#include "read/off_looks.h"
 #include "read/soup_builder.h"
 
 namespace foldwright {
@@ -17,9 +19,10 @@ class OffNumbers {
   std::int32_t integer() { return read<std::int32_t>(); }
   double number() { return read<float>(); }
 
-  /// Skips numbers of 4 bytes.
-  void skip(long long count) {
-    for (; count > 0; --count) integer();
+  std::vector<double> numbers(long long count) {
+    std::vector<double> values;
+    for (; count > 0; --count) values.push_back(number());
+    return values;
   }
 
   /// Tells what the next numbers belong to, for messages.
@@ -47,17 +50,17 @@ void read_vertex(OffNumbers& numbers, const OffLayout& layout, SoupBuilder& buil
   Vec3 position;
   for (double& coordinate : position) coordinate = builder.single_coordinate(numbers.number());
   if (layout.is_homogeneous) position /= numbers.number();
-  numbers.skip(numbers_after_position(layout));
+  const std::vector<double> looks = numbers.numbers(numbers_after_position(layout));
   builder.add_vertex(position, numbers.place());
+  take_vertex_looks(looks, layout, builder);
 }
 
 void read_face(OffNumbers& numbers, SoupBuilder& builder) {
   const int corners = numbers.integer();
   for (int i = 0; i < corners; ++i) builder.add_corner(numbers.integer());
-  const int of_colour = numbers.integer();
-  if (of_colour > 0) builder.skip_colours();
-  numbers.skip(of_colour);
+  const std::vector<double> colour = numbers.numbers(numbers.integer());
   builder.end_face(numbers.place());
+  take_face_looks(colour, builder);
 }
 
 }  // namespace
@@ -71,12 +74,11 @@ PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& l
   if (layout.has_dimension) require_three_dimensions(numbers.integer());
   const int vertices = numbers.integer();
   const int faces = numbers.integer();
-  numbers.skip(1);  // the number of edges
+  numbers.integer();  // the number of edges
   if (vertices < 0 || faces < 0) {
     throw InputError("bad-header", {{"what", "counts"}});
   }
   SoupBuilder builder(0);
-  skip_looks(layout, builder);
   for (int v = 0; v < vertices; ++v) {
     numbers.begin("vertex", v);
     read_vertex(numbers, layout, builder);

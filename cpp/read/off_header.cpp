@@ -68,11 +68,6 @@ OffLayout read_off_header(TextScanner& scanner) {
   return *layout;
 }
 
-void skip_looks(const OffLayout& layout, SoupBuilder& builder) {
-  if (layout.has_colour) builder.skip_colours();
-  if (layout.has_texture) builder.skip_textures();
-}
-
 void require_three_dimensions(long long dimension) {
   if (dimension == 3) return;
   throw InputError("bad-header", {{"what", "dimensions"}, {"dimensions", dimension}});

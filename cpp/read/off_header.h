@@ -2,7 +2,6 @@
 
 #include <string_view>
 
-#include "read/soup_builder.h"
 #include "read/text_scanner.h"
 
 namespace foldwright {
@@ -23,9 +22,6 @@ bool is_off_keyword(std::string_view word);
 /// Reads the keyword, if there is one, and what stands beside it; numbers follow, in binary from
 /// the next line on. \throw InputError ("bad-header") naming the line
 OffLayout read_off_header(TextScanner& scanner);
-
-/// Tells of the colours and places in a texture that the vertices have.
-void skip_looks(const OffLayout& layout, SoupBuilder& builder);
 
 /// Refuses all dimensions but 3. \throw InputError ("bad-header")
 void require_three_dimensions(long long dimension);

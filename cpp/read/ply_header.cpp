@@ -108,9 +108,7 @@ PlyHeader read_ply_header(TextScanner& scanner) {
       if (!has_format) fail(scanner, "no-format");
       scanner.next_line();
       return header;
-    } else if (keyword == "comment") {
-      header.names_texture |= scanner.word_in_line() == "TextureFile";
-    } else if (!keyword.empty() && keyword != "obj_info") {
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
       fail(scanner, "keyword", {{"word", excerpt(keyword)}});
     }
   }

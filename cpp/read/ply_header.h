@@ -30,7 +30,6 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
-  bool names_texture = false;  ///< in a comment, which is how programs agreed to do it
 };
 
 /// Reads from "ply" to "end_header", and leaves the scanner at the beginning of the data.

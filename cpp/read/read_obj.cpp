@@ -1,4 +1,7 @@
+#include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "mesh/input_error.h"
 #include "read/formats.h"
@@ -19,14 +22,29 @@ double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   return builder.text_coordinate(word, scanner.line());
 }
 
-/// Whether a corner has a place in a texture, as in "7/1" or "7/1/2".
-bool has_texture(std::string_view corner) {
+/// The part of a corner between its first and its second slash: the place in a picture, as in "7/1"
+/// or "7/1/2"; empty without one.
+std::string_view place_word(std::string_view corner) {
   const std::size_t slash = corner.find('/');
-  return slash != std::string_view::npos && slash + 1 < corner.size() && corner[slash + 1] != '/';
+  if (slash == std::string_view::npos) return {};
+  corner.remove_prefix(slash + 1);
+  return corner.substr(0, corner.find('/'));
 }
 
-/// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; only the vertex counts.
+/// A number counts from 1, or backwards from the last one so far. What is no number at all is a
+/// place that does not exist.
+void name_place(SoupBuilder& builder, std::string_view word) {
+  if (word.empty()) return;
+  LooksBuilder& looks = builder.looks();
+  constexpr long long kNowhere = std::numeric_limits<int>::max();
+  const long long number = parse_integer(word).value_or(kNowhere);
+  const long long index = number < 0 ? looks.place_count() + number : number - 1;
+  looks.name_place(builder.corner_count(), index < 0 ? kNowhere : index);
+}
+
+/// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; normals do not count.
 void add_corner(SoupBuilder& builder, std::string_view word, const Place& place) {
+  name_place(builder, place_word(word));
   const std::string_view vertex = word.substr(0, word.find('/'));
   const long long index = integer_of(vertex, static_cast<int>(place.number));
   if (index >= 0) return builder.add_corner(index);
@@ -45,18 +63,34 @@ void read_vertex(TextScanner& scanner, SoupBuilder& builder) {
   const double z = coordinate(scanner, builder);
   builder.add_vertex({x, y, z}, place);
   // A single number more is a weight; three or four are a colour, as sculpting programs write it.
-  int more = 0;
-  while (!scanner.word_in_line().empty()) ++more;
-  if (more >= 3) builder.skip_colours();
+  std::vector<double> more;
+  for (std::string_view word = scanner.word_in_line(); !word.empty();
+       word = scanner.word_in_line()) {
+    more.push_back(parse_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  if (more.size() < 3) return;
+  builder.looks().colour_vertex(builder.vertex_count() - 1, {more[0], more[1], more[2]});
 }
 
-void read_face(TextScanner& scanner, SoupBuilder& builder) {
+/// A place without a number in it is a place that pictures do not have.
+void read_place(TextScanner& scanner, SoupBuilder& builder) {
+  PicturePlace place = {0, 0};  // a second number may be missing
+  for (float& number : place) {
+    const std::string_view word = scanner.word_in_line();
+    if (word.empty()) break;
+    number =
+        static_cast<float>(parse_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  builder.looks().add_place(place);
+}
+
+/// `material`: the number of the one in use, or none.
+void read_face(TextScanner& scanner, SoupBuilder& builder, std::optional<int> material) {
   const Place place = here(scanner);
   int corners = 0;
   for (std::string_view word = scanner.word_in_line(); !word.empty();
        word = scanner.word_in_line()) {
     add_corner(builder, word, place);
-    if (has_texture(word)) builder.skip_textures();
     ++corners;
   }
   // A short face elsewhere is one bad face; at the very end, without a line break, it tells that
@@ -64,6 +98,7 @@ void read_face(TextScanner& scanner, SoupBuilder& builder) {
   if (corners < 3 && scanner.at_end()) {
     throw InputError("truncated", place, {{"what", "face"}});
   }
+  if (material) builder.looks().set_material(builder.face_count(), *material);
   builder.end_face(place);
 }
 
@@ -106,14 +141,19 @@ PolygonSoup read_obj(std::span<const std::byte> bytes) {
   TextScanner scanner(bytes, LineContinuation::kBackslash);
   SoupBuilder builder(1);
   Ignored ignored;
+  std::optional<int> material;
   do {
     const std::string_view keyword = scanner.word_in_line();
     if (keyword == "v") {
       read_vertex(scanner, builder);
     } else if (keyword == "f" || keyword == "fo") {  // "fo": faces of old exporters
-      read_face(scanner, builder);
-    } else if (keyword == "mtllib" || keyword == "usemtl") {
-      builder.skip_colours();
+      read_face(scanner, builder, material);
+    } else if (keyword == "vt") {
+      read_place(scanner, builder);
+    } else if (keyword == "usemtl") {
+      material = builder.looks().material_named(scanner.rest_of_line());
+    } else if (keyword == "mtllib") {
+      builder.looks().add_library(scanner.rest_of_line());
     } else {
       ignored.count(keyword);
     }

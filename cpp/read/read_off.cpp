@@ -1,9 +1,11 @@
 #include <optional>
+#include <vector>
 
 #include "mesh/input_error.h"
 #include "read/formats.h"
 #include "read/off_binary.h"
 #include "read/off_header.h"
+#include "read/off_looks.h"
 #include "read/soup_builder.h"
 #include "read/text_encoding.h"
 #include "read/text_scanner.h"
@@ -38,23 +40,33 @@ Counts read_counts(TextScanner& scanner, const OffLayout& layout) {
   return counts;
 }
 
-/// What comes between the counts, the vertices and the faces, and is skipped.
+/// What comes between the counts, the vertices and the faces.
 struct Gaps {
-  bool end_with_line = true;  // all that follows in the line, or else so many numbers:
+  bool end_with_line = true;  // all that follows in the line, or else so many words:
   int after_counts = 0;       // the number of edges
   int after_vertex = 0;       // normal, colour, texture coordinates
   int after_face = 0;         // colour
 };
 
-/// Whether there was anything to skip.
-bool skip_gap(TextScanner& scanner, const Gaps& gaps, int numbers) {
-  if (gaps.end_with_line) {
-    const bool has_words = !scanner.word_in_line().empty();
-    scanner.next_line();
-    return has_words;
+/// The numbers of a gap, up to the first word that is none.
+std::vector<double> read_gap(TextScanner& scanner, const Gaps& gaps, int words) {
+  std::vector<double> numbers;
+  bool are_numbers = true;
+  const auto take = [&](std::string_view word) {
+    const std::optional<double> number = parse_number(word);
+    are_numbers = are_numbers && number;
+    if (are_numbers) numbers.push_back(*number);
+  };
+  if (!gaps.end_with_line) {
+    for (int i = 0; i < words; ++i) take(scanner.word());
+    return numbers;
   }
-  for (int i = 0; i < numbers; ++i) scanner.word();
-  return numbers > 0;
+  for (std::string_view word = scanner.word_in_line(); !word.empty();
+       word = scanner.word_in_line()) {
+    take(word);
+  }
+  scanner.next_line();
+  return numbers;
 }
 
 long long lines_with_words(TextScanner scanner) {
@@ -148,17 +160,16 @@ PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
   const Counts counts = read_counts(scanner, layout);
   const Gaps gaps = find_gaps(scanner, layout, counts);
   SoupBuilder builder(0);
-  skip_looks(layout, builder);
-  skip_gap(scanner, gaps, gaps.after_counts);
+  read_gap(scanner, gaps, gaps.after_counts);
   for (long long v = 0; v < counts.vertices; ++v) {
     if (!find_word(scanner)) fail_at_end(scanner, "vertices", v, counts.vertices);
     read_vertex(scanner, layout, builder);
-    skip_gap(scanner, gaps, gaps.after_vertex);
+    take_vertex_looks(read_gap(scanner, gaps, gaps.after_vertex), layout, builder);
   }
   for (long long f = 0; f < counts.faces; ++f) {
     if (!find_word(scanner)) fail_at_end(scanner, "faces", f, counts.faces);
     read_face(scanner, builder);
-    if (skip_gap(scanner, gaps, gaps.after_face)) builder.skip_colours();
+    take_face_looks(read_gap(scanner, gaps, gaps.after_face), builder);
   }
   if (find_word(scanner)) {
     const int rest = static_cast<int>(1 + lines_with_words(scanner));

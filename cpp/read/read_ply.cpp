@@ -98,7 +98,21 @@ class PlyData {
 };
 
 /// What becomes of a property's values.
-enum class Role { kX, kY, kZ, kCorners, kStrips, kSkipped };
+enum class Role {
+  kX,
+  kY,
+  kZ,
+  kCorners,
+  kStrips,
+  kRed,
+  kGreen,
+  kBlue,
+  kAcross,  // a vertex's place in a picture
+  kUp,
+  kCornerPlaces,  // those of all corners of a face
+  kMaterial,
+  kSkipped
+};
 
 bool is_whole(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
 
@@ -117,13 +131,41 @@ const PlyProperty* vertex_list(const PlyElement& element) {
   return lists == 1 ? only : nullptr;
 }
 
-Role role_of(const PlyElement& element, const PlyProperty& property) {
-  if (element.name == "vertex" && !property.count_type) {
-    if (property.name == "x") return Role::kX;
-    if (property.name == "y") return Role::kY;
-    if (property.name == "z") return Role::kZ;
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// By the names that programs write.
+Role colour_role(std::string_view name) {
+  if (is_one_of(name, {"red", "r", "diffuse_red"})) return Role::kRed;
+  if (is_one_of(name, {"green", "g", "diffuse_green"})) return Role::kGreen;
+  if (is_one_of(name, {"blue", "b", "diffuse_blue"})) return Role::kBlue;
+  return Role::kSkipped;
+}
+
+Role vertex_role(const PlyProperty& property) {
+  const std::string& name = property.name;
+  if (property.count_type) return Role::kSkipped;
+  if (name == "x") return Role::kX;
+  if (name == "y") return Role::kY;
+  if (name == "z") return Role::kZ;
+  if (is_one_of(name, {"s", "u", "texture_s", "texture_u"})) return Role::kAcross;
+  if (is_one_of(name, {"t", "v", "texture_t", "texture_v"})) return Role::kUp;
+  return colour_role(name);
+}
+
+Role face_role(const PlyElement& element, const PlyProperty& property) {
+  if (&property == vertex_list(element)) return Role::kCorners;
+  if (property.count_type) {
+    return property.name == "texcoord" ? Role::kCornerPlaces : Role::kSkipped;
   }
-  if (element.name == "face" && &property == vertex_list(element)) return Role::kCorners;
+  const bool is_material = is_one_of(property.name, {"material", "material_index", "texnumber"});
+  return is_material ? Role::kMaterial : colour_role(property.name);
+}
+
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+  if (element.name == "vertex") return vertex_role(property);
+  if (element.name == "face") return face_role(element, property);
   if (element.name == "tristrips" && &property == vertex_list(element)) return Role::kStrips;
   return Role::kSkipped;
 }
@@ -184,18 +226,71 @@ class TriangleStrips {
   long long second_ = 0;
 };
 
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
+/// What a vertex or a face has beside coordinates and corners.
+struct ElementLooks {
+  Vec3 colour = Vec3::Zero();
+  PicturePlace place = {0, 0};
+  int material = -1;
+
+  void take(Role role, double value, PlyType type) {
+    switch (role) {
+      case Role::kRed:
+      case Role::kGreen:
+      case Role::kBlue:
+        colour[static_cast<int>(role) - static_cast<int>(Role::kRed)] = value / one_of(type);
+        return;
+      case Role::kAcross:
+        place[0] = static_cast<float>(value);
+        return;
+      case Role::kUp:
+        place[1] = static_cast<float>(value);
+        return;
+      case Role::kMaterial:
+        // Beyond any number of materials, and far from what an int cannot hold.
+        material = value >= 0 && value < 1e9 ? static_cast<int>(value) : -1;
+        return;
+      default:
+        return;
+    }
+  }
+
+ private:
+  /// What stands for a full colour; of floats the looks' builder finds out.
+  static double one_of(PlyType type) {
+    const bool is_byte = type == PlyType::kInt8 || type == PlyType::kUint8;
+    return is_byte ? 255 : is_whole(type) ? whole_colour(type) : 1;
+  }
+  static double whole_colour(PlyType type) {
+    return type == PlyType::kInt16 || type == PlyType::kUint16 ? 65535 : 255;
+  }
+};
+
+bool has(const std::vector<Role>& roles, Role role) {
+  return std::ranges::find(roles, role) != roles.end();
 }
 
-/// Tells of the colours and places in a texture that an element's properties hold, by the names
-/// that programs write.
-void skip_looks(const PlyElement& element, SoupBuilder& builder) {
-  for (const PlyProperty& property : element.properties) {
-    if (is_one_of(property.name, {"red", "r", "diffuse_red"})) builder.skip_colours();
-    if (is_one_of(property.name, {"s", "u", "texture_u", "texture_s", "texcoord"})) {
-      builder.skip_textures();
-    }
+/// Hands over what the element `index` has, as far as its properties say something.
+void add_looks(const ElementLooks& found, const std::vector<Role>& roles, bool is_vertex, int index,
+               LooksBuilder& looks) {
+  const bool has_colour =
+      has(roles, Role::kRed) && has(roles, Role::kGreen) && has(roles, Role::kBlue);
+  if (is_vertex) {
+    if (has_colour) looks.colour_vertex(index, found.colour);
+    if (has(roles, Role::kAcross) && has(roles, Role::kUp)) looks.place_vertex(index, found.place);
+  } else {
+    if (has_colour) looks.colour_face(index, found.colour);
+    if (has(roles, Role::kMaterial)) looks.set_material(index, found.material);
+  }
+}
+
+/// Two numbers for each corner of the face whose corners begin at `first`.
+void read_corner_places(PlyData& data, const PlyProperty& property, std::size_t first,
+                        LooksBuilder& looks) {
+  const long long count = data.integer(*property.count_type);
+  PicturePlace place = {0, 0};
+  for (long long i = 0; i < count; ++i) {
+    place[i % 2] = static_cast<float>(data.value(property.type));
+    if (i % 2 == 1) looks.place_corner(first + static_cast<std::size_t>(i / 2), place);
   }
 }
 
@@ -214,12 +309,19 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
   const std::vector<Role> roles = roles_of(element);
   // Without properties an element has no bytes, and its count may be anything.
   if (element.properties.empty()) return;
-  if (is_one_of(element.name, {"vertex", "face", "tristrips"})) skip_looks(element, builder);
+  const bool is_vertex = element.name == "vertex";
+  const bool is_face = element.name == "face";
   for (long long index = 0; index < element.count; ++index) {
     data.begin(element, index);
     Vec3 position = Vec3::Zero();
+    ElementLooks looks;
+    const std::size_t first_corner = builder.ended_corner_count();
     for (std::size_t p = 0; p < roles.size(); ++p) {
       const PlyProperty& property = element.properties[p];
+      if (roles[p] == Role::kCornerPlaces) {
+        read_corner_places(data, property, first_corner, builder.looks());
+        continue;
+      }
       if (property.count_type) {
         read_list(data, property, roles[p], builder);
         continue;
@@ -227,11 +329,13 @@ void read_element(PlyData& data, const PlyElement& element, SoupBuilder& builder
       if (roles[p] <= Role::kZ) {
         position[static_cast<int>(roles[p])] = data.coordinate(property.type, builder);
       } else {
-        data.value(property.type);
+        looks.take(roles[p], data.value(property.type), property.type);
       }
     }
-    if (element.name == "vertex") builder.add_vertex(position, data.place());
-    if (element.name == "face") builder.end_face(data.place());
+    if (is_vertex) builder.add_vertex(position, data.place());
+    if (is_face) builder.end_face(data.place());
+    const int number = (is_vertex ? builder.vertex_count() : builder.face_count()) - 1;
+    if (is_vertex || is_face) add_looks(looks, roles, is_vertex, number, builder.looks());
   }
 }
 
@@ -244,7 +348,6 @@ PolygonSoup read_ply(std::span<const std::byte> bytes) {
   refuse_nul(is_ascii ? bytes : bytes.first(scanner.position()));
   PlyData data(scanner, bytes, header.encoding);
   SoupBuilder builder(0);
-  if (header.names_texture) builder.skip_textures();
   for (const PlyElement& element : header.elements) read_element(data, element, builder);
   return builder.finish();
 }

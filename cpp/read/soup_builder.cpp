@@ -54,6 +54,8 @@ PolygonSoup SoupBuilder::finish() {
     }
   }
   soup_.precision = precision_.rounding_error();
+  soup_.looks = looks_.finish(soup_);
+  if (looks_.lost_places() > 0) note({"lost-picture-places", looks_.lost_places()});
   return std::move(soup_);
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/message.h"
 #include "mesh/polygon_soup.h"
 #include "read/coordinate_precision.h"
+#include "read/looks_builder.h"
 
 namespace foldwright {
 
@@ -30,13 +31,17 @@ class SoupBuilder {
   void add_corner(long long index) { corners_.push_back(index); }
   /// Ends the face being collected, with as many corners as were added.
   void end_face(const Place& place);
-  /// The file has colours or textures, which are not kept.
-  void skip_colours() { soup_.has_colours = true; }
-  void skip_textures() { soup_.has_textures = true; }
+  /// What the file says of how its vertices, corners and faces look, by their numbers from 0.
+  LooksBuilder& looks() { return looks_; }
   void note(Repair repair) { soup_.repairs.push_back(std::move(repair)); }
 
   int vertex_count() const { return static_cast<int>(soup_.positions.size()); }
   int face_count() const { return soup_.face_count(); }
+  /// Of all faces, the one that is being collected included, and without that one.
+  std::size_t corner_count() const { return corners_.size(); }
+  std::size_t ended_corner_count() const {
+    return static_cast<std::size_t>(soup_.first_corner.back());
+  }
 
   /// \throw InputError ("bad-index", "no-faces") naming the place
   PolygonSoup finish();
@@ -45,6 +50,7 @@ class SoupBuilder {
   int first_index_;
   PolygonSoup soup_;
   CoordinatePrecision precision_;
+  LooksBuilder looks_;
   std::vector<long long> corners_;
   std::vector<Place> places_;  // per face
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,14 +20,43 @@ ByteReader after_free_text(std::span<const std::byte> bytes) {
   return {bytes.subspan(kHeaderSize - 4), std::endian::little};
 }
 
-/// Whether the free text gives the whole model a colour, as one vendor's programs do; in their
-/// files the bit of a triangle means the opposite, but then all have colours anyway.
-bool names_colour(std::span<const std::byte> bytes) {
+/// How a vendor's programs write colours into the attributes of triangles: 5 bits for each part of
+/// a colour, and the highest bit.
+struct ColourBits {
+  int red, green, blue;        // place of the lowest of their bits
+  bool when_set;               // what the highest bit is where a triangle has a colour of its own
+  std::optional<Vec3> common;  // of all triangles without a colour of their own
+};
+
+/// One vendor's programs name a colour for all in the free text, and mean the opposite of others
+/// with the highest bit and the order.
+ColourBits colour_bits(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), kHeaderSize - 4);
-  return text.find("COLOR=") != std::string_view::npos;
+  constexpr std::string_view kKey = "COLOR=";
+  const std::size_t key = text.find(kKey);
+  if (key == std::string_view::npos || key + kKey.size() + 3 > text.size()) {
+    return {10, 5, 0, true, std::nullopt};
+  }
+  Vec3 common;
+  for (int k = 0; k < 3; ++k) {
+    common[k] = static_cast<unsigned char>(text[key + kKey.size() + k]) / 255.0;
+  }
+  return {0, 5, 10, false, common};
 }
 
-void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
+void add_colour(unsigned attributes, const ColourBits& bits, SoupBuilder& builder) {
+  const int face = builder.face_count() - 1;
+  if (((attributes & 0x8000u) != 0) != bits.when_set) {
+    if (bits.common) builder.looks().colour_face(face, *bits.common);
+    return;
+  }
+  constexpr double kFull = 31;
+  const auto part = [&](int shift) { return ((attributes >> shift) & 31u) / kFull; };
+  builder.looks().colour_face(face, {part(bits.red), part(bits.green), part(bits.blue)});
+}
+
+void add_triangle(ByteReader& reader, const ColourBits& bits, SoupBuilder& builder,
+                  long long number) {
   const Place place{"triangle", number};
   reader.skip(3 * sizeof(float));  // the normal: often zero or wrong, and never needed
   for (int corner = 0; corner < 3; ++corner) {
@@ -36,9 +66,8 @@ void add_triangle(ByteReader& reader, SoupBuilder& builder, long long number) {
     builder.add_vertex({x, y, z}, place);
     builder.add_corner(builder.vertex_count() - 1);
   }
-  // The highest bit says that the others are a colour. Without it they may be anything.
-  if ((reader.read<std::uint16_t>() & 0x8000u) != 0) builder.skip_colours();
   builder.end_face(place);
+  add_colour(reader.read<std::uint16_t>(), bits, builder);
 }
 
 int clamped(long long count) {
@@ -69,8 +98,8 @@ PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
   const bool wrong_count = announced != present && (ends_whole || announced == 0);
   const long long count = wrong_count ? present : announced;
   SoupBuilder builder(0);
-  if (names_colour(bytes)) builder.skip_colours();
-  for (long long t = 1; t <= count; ++t) add_triangle(reader, builder, t);
+  const ColourBits bits = colour_bits(bytes);
+  for (long long t = 1; t <= count; ++t) add_triangle(reader, bits, builder, t);
   if (wrong_count) {
     builder.note({"wrong-count", clamped(present), {{"announced", announced}}});
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -105,8 +107,9 @@ class StlText {
   Place place_{"line", 1};  // of the face
   bool in_solid_ = false;
   bool in_face_ = false;
-  bool is_bare_ = false;  // the face has no words around its vertices
-  int corners_ = 0;       // of the face
+  bool is_bare_ = false;        // the face has no words around its vertices
+  int corners_ = 0;             // of the face
+  std::optional<Vec3> colour_;  // of the faces that follow
 
   void take(Keyword keyword, std::string_view word) {
     switch (keyword) {
@@ -128,12 +131,20 @@ class StlText {
         in_solid_ = keyword == Keyword::kSolid;
         return skip_name(scanner_);
       case Keyword::kColour:
-        builder_.skip_colours();
-        scanner_.next_line();
-        return;
+        return take_colour();
       case Keyword::kNone:
         fail_unexpected(word);
     }
+  }
+
+  /// Of the faces that follow.
+  void take_colour() {
+    Vec3 colour;
+    for (double& part : colour) {
+      part = parse_number(scanner_.word_in_line()).value_or(std::nan(""));
+    }
+    if (colour.allFinite()) colour_ = colour;
+    scanner_.next_line();
   }
 
   void begin_face() {
@@ -146,6 +157,7 @@ class StlText {
   void end_face() {
     if (!in_face_) return;
     builder_.end_face(place_);
+    if (colour_) builder_.looks().colour_face(builder_.face_count() - 1, *colour_);
     in_face_ = false;
     corners_ = 0;
   }

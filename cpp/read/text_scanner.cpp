@@ -168,6 +168,16 @@ std::string_view TextScanner::word() {
   return found;
 }
 
+std::string_view TextScanner::rest_of_line() {
+  while (!at_end() && is_blank(text_[position_])) ++position_;
+  const std::size_t begin = position_;
+  std::size_t end = begin;
+  for (; !at_end() && !is_line_break(text_[position_]) && !at_continuation(); ++position_) {
+    if (!is_blank(text_[position_])) end = position_ + 1;
+  }
+  return text_.substr(begin, end - begin);
+}
+
 bool TextScanner::next_line() {
   while (!at_end() && !is_line_break(text_[position_])) {
     if (at_continuation()) {

@@ -25,6 +25,9 @@ class TextScanner {
   std::string_view word_in_line();
   /// Next word, on whatever line; empty at the end of the file.
   std::string_view word();
+  /// What is left of the current line, comments included, without blanks at both ends: a name.
+  /// A continuation ends it.
+  std::string_view rest_of_line();
   /// Goes to the beginning of the next line; false when there is none.
   bool next_line();
 

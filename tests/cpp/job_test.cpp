@@ -327,22 +327,39 @@ TEST(Job, SaysBeforeTheSearchWhatALargeModelCosts) {
   EXPECT_FALSE(tells({.faces = 1000})) << "whoever asks for fewer knows";
 }
 
-TEST(Job, SaysThatColoursAndTexturesAreNotPrinted) {
+TEST(Job, RefusesToSearchNetsThatWouldTakeHours) {
+  const std::string model = obj_of(torus(450, 225));  // 101,250 panels
+  const Outcome refused = run_file(model, "model.obj", {});
+  ASSERT_EQ(refused.all<ErrorEvent>().size(), 1u);
+  EXPECT_EQ(describe(refused.all<ErrorEvent>()[0].message),
+            "too-many-faces faces=101250 most=100000 proposed=1500");
+}
+
+TEST(Job, HandsOnHowTheModelLooks) {
   const std::string model = obj_of(tetrahedron());
-  const std::pair<std::string, std::multiset<std::string>> cases[] = {
-      {"", {}},
-      {"usemtl red\n", {"materials-ignored what=colours"}},
-      {"vt 0 0\nf 1/1 2/1 3/1\n", {"materials-ignored what=textures"}},
-      {"vt 0 0\nusemtl red\nf 1/1 2/1 3/1\n", {"materials-ignored what=both"}}};
-  for (const auto& [more, messages] : cases) {
-    const Outcome outcome = run_file(model + more, "model.obj", {.parts = 1, .runs = 10});
-    expect_sound(outcome);
-    std::multiset<std::string> told;
-    for (const Notice& notice : outcome.result->notices) {
-      if (notice.code == "materials-ignored") told.insert(describe(notice));
-    }
-    EXPECT_EQ(told, messages);
-  }
+  const Outcome bare = run_file(model, "model.obj", {.parts = 1, .runs = 10});
+  expect_sound(bare);
+  EXPECT_FALSE(bare.result->looks);
+  const Outcome red =
+      run_file("mtllib a.mtl\nusemtl red\n" + model, "model.obj", {.parts = 1, .runs = 10});
+  expect_sound(red);
+  ASSERT_TRUE(red.result->looks);
+  EXPECT_EQ(red.result->looks->faces.materials, (std::vector<int>{0, 0, 0, 0}));
+  EXPECT_EQ(red.result->looks->material_names, (std::vector<std::string>{"red"}));
+  EXPECT_EQ(red.result->looks->libraries, (std::vector<std::string>{"a.mtl"}));
+  EXPECT_FALSE(red.result->looks->original);
+  EXPECT_EQ(red.result->hash, bare.result->hash) << "looks change no net";
+}
+
+TEST(Job, KeepsTheSurfaceThatLooksAreOfWhenItSimplifies) {
+  const std::string model = "usemtl red\n" + obj_of(bumpy_sphere(200));
+  const Outcome outcome = run_file(model, "model.obj", {.parts = 1, .runs = 10, .faces = 60});
+  expect_sound(outcome);
+  ASSERT_TRUE(outcome.result->looks);
+  const ModelLooks& looks = *outcome.result->looks;
+  ASSERT_TRUE(looks.original);
+  EXPECT_GT(looks.original->faces.size(), outcome.result->mesh.faces.size());
+  EXPECT_EQ(looks.faces.materials.size(), looks.original->faces.size());
 }
 
 }  // namespace

@@ -32,11 +32,16 @@ inline std::vector<int> corners_of(const PolygonSoup& soup, int face) {
           soup.corners.begin() + soup.first_corner[face + 1]};
 }
 
-/// What a soup says of its file's looks: "colours", "textures", both or neither.
+/// What a soup knows of its file's looks: "colours", "places" in pictures, "materials".
 inline std::string looks_of(const PolygonSoup& soup) {
-  const char* both = soup.has_colours && soup.has_textures ? " " : "";
-  return (soup.has_colours ? "colours" : "") + std::string(both) +
-         (soup.has_textures ? "textures" : "");
+  std::string looks;
+  const auto add = [&](bool is_there, const char* what) {
+    if (is_there) looks += (looks.empty() ? "" : " ") + std::string(what);
+  };
+  add(!soup.looks.colours.empty(), "colours");
+  add(!soup.looks.places.empty(), "places");
+  add(!soup.looks.materials.empty(), "materials");
+  return looks;
 }
 
 /// The repair with the given code; a count of 0 when there is none.

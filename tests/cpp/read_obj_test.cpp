@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "model_text.h"
 
 namespace foldwright::testing {
@@ -106,20 +108,69 @@ TEST(ReadObj, TakesNumbersInEverySpelling) {
   EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 2}));
 }
 
-TEST(ReadObj, TellsOfMaterialsColoursAndTextures) {
-  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  const std::string places = "vt 0 0\nvt 1 0\nvt 0 1\n";
+constexpr const char* kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+constexpr const char* kPlaces = "vt 0 0\nvt 1 0\nvt 0 1 0\n";
+
+TEST(ReadObj, KnowsWhichLooksAFileHas) {
+  const std::string corners = kCorners;
+  const std::string places = kPlaces;
   const std::pair<std::string, const char*> cases[] = {
       {corners + "f 1 2 3\n", ""},
       {corners + places + "vn 0 0 1\nf 1//1 2//1 3//1\n", ""},
       {"v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n", ""},
-      {"mtllib a.mtl\n" + corners + "f 1 2 3\n", "colours"},
-      {corners + "usemtl red\nf 1 2 3\n", "colours"},
+      {"mtllib a.mtl\n" + corners + "f 1 2 3\n", ""},
+      {corners + "usemtl red\nf 1 2 3\n", "materials"},
       {"v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n", "colours"},
-      {corners + places + "f 1/1 2/2 3/3\n", "textures"},
-      {corners + places + "usemtl a\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n", "colours textures"}};
+      {corners + places + "f 1/1 2/2 3/3\n", "places"},
+      {corners + places + "usemtl a\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n", "places materials"}};
   for (const auto& [text, looks] : cases) {
     EXPECT_EQ(looks_of(read_text(text, "a.obj")), looks) << text;
+  }
+}
+
+TEST(ReadObj, ReadsPlacesInPicturesByNumberAndBackwards) {
+  const SoupLooks looks =
+      read_text(kCorners + std::string(kPlaces) + "f 1/1 2/-2 3/3\nf 1/2 3/1 2\n", "a.obj").looks;
+  const PicturePlace known[] = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
+  ASSERT_EQ(looks.places.size(), 6u);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(looks.places[i], known[i]) << i;
+  EXPECT_TRUE(std::isnan(looks.places[5][0])) << "a corner that names none has none";
+}
+
+TEST(ReadObj, CountsPlacesThatAreNot) {
+  for (const char* word : {"9", "-9", "x", "0"}) {
+    const std::string face = "f 1/1 2/" + std::string(word) + " 3/3\n";
+    const PolygonSoup soup = read_text(kCorners + std::string(kPlaces) + face, "a.obj");
+    EXPECT_EQ(repair_named(soup.repairs, "lost-picture-places").count, 1) << word;
+    EXPECT_TRUE(std::isnan(soup.looks.places[1][0])) << word;
+    EXPECT_EQ(soup.looks.places[2], (PicturePlace{0, 1})) << word;
+  }
+  // Places may come after the faces that name them.
+  const PolygonSoup late = read_text(kCorners + std::string("f 1/1 2/2 3/3\n") + kPlaces, "a.obj");
+  EXPECT_EQ(repair_named(late.repairs, "lost-picture-places").count, 0);
+  EXPECT_EQ(late.looks.places[1], (PicturePlace{1, 0}));
+}
+
+TEST(ReadObj, NumbersMaterialsByName) {
+  const SoupLooks looks =
+      read_text(
+          kCorners + std::string("mtllib my file.mtl other.mtl\nf 1 2 3\nusemtl red # 1 \nf 1 3 2\n"
+                                 "usemtl blue\nf 1 2 3\nusemtl red # 1\nf 1 2 3\n"),
+          "a.obj")
+          .looks;
+  EXPECT_EQ(looks.materials, (std::vector<int>{-1, 0, 1, 0}));
+  EXPECT_EQ(looks.material_names, (std::vector<std::string>{"red # 1", "blue"}));
+  EXPECT_EQ(looks.libraries, (std::vector<std::string>{"my file.mtl other.mtl"}));
+}
+
+TEST(ReadObj, ReadsColoursOfVerticesUpToOneOrTo255) {
+  for (const char* full : {"1", "255"}) {
+    const std::string one = full;
+    const SoupLooks looks =
+        read_text("v 0 0 0 " + one + " 0 0\nv 1 0 0 0 " + one + " 0 1\nv 0 1 0\nf 1 2 3\n", "a.obj")
+            .looks;
+    // A vertex without a colour is as white as paper.
+    EXPECT_EQ(looks.colours, (std::vector<Rgb>{{255, 0, 0}, {0, 255, 0}, {255, 255, 255}}));
   }
 }
 

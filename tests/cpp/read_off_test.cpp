@@ -149,20 +149,33 @@ TEST(ReadOff, TakesBinaryFiles) {
   EXPECT_EQ(refusal("OFF BINARY\n", "a.off"), "truncated what=header-only");
 }
 
-TEST(ReadOff, TellsOfColoursAndTextures) {
+TEST(ReadOff, KnowsWhichLooksAFileHas) {
   const std::string coloured_face = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n";
   const std::pair<std::string, const char*> cases[] = {
       {"OFF\n5 2 0\n" + kBody, ""},
       {"NOFF\n5 2 0\n" + kBody, ""},
-      {"COFF\n5 2 0\n" + kBody, "colours"},
-      {"STCOFF\n5 2 0\n" + kBody, "colours textures"},
       {"OFF\n3 1 0\n" + coloured_face, "colours"},
       {"OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2 255 0 0", "colours"},
       {binary_off("OFF BINARY\n", 0), "colours"},
-      {binary_off("STOFF BINARY\n", 2), "colours textures"}};
+      {binary_off("STOFF BINARY\n", 2), "colours places"}};
   for (const auto& [text, looks] : cases) {
     EXPECT_EQ(looks_of(read_text(text, "a.off")), looks) << text;
   }
+}
+
+TEST(ReadOff, ReadsColoursAndPlacesBehindNormals) {
+  const std::string text =
+      "STNCOFF 3 1 0\n0 0 0  0 0 1  255 0 0 255  0 0.5\n1 0 0  0 0 1  0 255 0 255  1 0.5\n"
+      "0 1 0  0 0 1  0 0 255 255  0 1\n3 0 1 2\n";
+  const SoupLooks looks = read_text(text, "a.off").looks;
+  EXPECT_EQ(looks.colours, (std::vector<Rgb>{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}}));
+  EXPECT_EQ(looks.places, (std::vector<PicturePlace>{{0, 0.5}, {1, 0.5}, {0, 1}}));
+}
+
+TEST(ReadOff, TellsOfNumbersOfATableOfColours) {
+  const SoupLooks looks = read_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n", "a.off").looks;
+  EXPECT_TRUE(looks.empty());
+  EXPECT_TRUE(looks.has_colour_numbers);
 }
 
 }  // namespace

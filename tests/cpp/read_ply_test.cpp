@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -153,27 +154,61 @@ TEST(ReadPly, TakesTriangleStrips) {
             "bad-index place=line at=13 what=beyond index=9 vertices=4 first=0");
 }
 
-TEST(ReadPly, TellsOfColoursAndTextures) {
-  const auto looks = [](const std::string& comment, const std::string& vertex_property,
-                        const std::string& face_property, const std::string& face_values) {
-    const std::string value = vertex_property.empty() ? "\n" : " 7\n";
-    return looks_of(
-        read_text("ply\nformat ascii 1.0\n" + comment +
-                      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
-                      vertex_property + "element face 1\nproperty list uchar int vertex_indices\n" +
-                      face_property + "end_header\n0 0 0" + value + "1 0 0" + value + "0 1 0" +
-                      value + "3 0 1 2" + face_values + "\n",
-                  "a.ply"));
-  };
-  EXPECT_EQ(looks("comment made by hand\n", "property float nx\n", "property uchar flags\n", " 1"),
-            "");
-  EXPECT_EQ(looks("", "property uchar red\n", "", ""), "colours");
-  EXPECT_EQ(looks("", "", "property uchar red\n", " 255"), "colours");
-  EXPECT_EQ(looks("", "property float s\n", "", ""), "textures");
-  EXPECT_EQ(looks("", "", "property list uchar float texcoord\n", " 2 0 1"), "textures");
-  EXPECT_EQ(looks("comment TextureFile skin.png\n", "", "", ""), "textures");
-  EXPECT_EQ(looks("comment TextureFile skin.png\n", "property uchar red\n", "", ""),
-            "colours textures");
+/// A triangle whose vertices and whose face have more than they must. `vertex_values`: of the
+/// three vertices in turn.
+PolygonSoup triangle_with(const std::string& vertex_properties,
+                          const std::array<std::string, 3>& vertex_values,
+                          const std::string& face_properties, const std::string& face_values) {
+  return read_text(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\n" +
+          vertex_properties + "element face 1\nproperty list uchar int vertex_indices\n" +
+          face_properties + "end_header\n0 0 0 " + vertex_values[0] + "\n1 0 0 " +
+          vertex_values[1] + "\n0 1 0 " + vertex_values[2] + "\n3 0 1 2 " + face_values + "\n",
+      "a.ply");
+}
+
+TEST(ReadPly, LeavesOtherPropertiesAlone) {
+  EXPECT_TRUE(triangle_with("property float nx\n", {"1", "1", "1"}, "property uchar flags\n", "1")
+                  .looks.empty());
+  EXPECT_TRUE(triangle_with("property uchar red\n", {"1", "1", "1"}, "", "").looks.empty())
+      << "one number is no colour";
+}
+
+TEST(ReadPly, ReadsColoursOfVertices) {
+  const char* const types[] = {"uchar", "float", "ushort"};
+  const char* const full[] = {"255", "1", "65535"};
+  for (int i = 0; i < 3; ++i) {
+    const std::string one = full[i];
+    std::string properties;
+    for (const char* name : {"red", "green", "blue"}) {
+      properties += "property " + std::string(types[i]) + " " + name + "\n";
+    }
+    const SoupLooks looks =
+        triangle_with(properties, {one + " 0 0", "0 " + one + " 0", "0 0 0"}, "", "").looks;
+    EXPECT_EQ(looks.colours, (std::vector<Rgb>{{255, 0, 0}, {0, 255, 0}, {0, 0, 0}})) << types[i];
+  }
+}
+
+TEST(ReadPly, ReadsColoursAndMaterialsOfFaces) {
+  const SoupLooks looks = triangle_with("", {"", "", ""},
+                                        "property uchar red\nproperty uchar green\n"
+                                        "property uchar blue\nproperty int material\n",
+                                        "1 2 3 4")
+                              .looks;
+  EXPECT_EQ(looks.colours, (std::vector<Rgb>{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}));
+  EXPECT_EQ(looks.materials, (std::vector<int>{4}));
+}
+
+TEST(ReadPly, ReadsPlacesOfVerticesAndOfCorners) {
+  const std::vector<PicturePlace> places = {{0, 0.5}, {1, 0.5}, {0, 1}};
+  EXPECT_EQ(triangle_with("property float s\nproperty float t\n", {"0 0.5", "1 0.5", "0 1"}, "", "")
+                .looks.places,
+            places);
+  EXPECT_EQ(
+      triangle_with("", {"", "", ""}, "property list uchar float texcoord\n", "6 0 0.5 1 0.5 0 1")
+          .looks.places,
+      places);
 }
 
 }  // namespace

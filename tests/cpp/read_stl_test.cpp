@@ -11,6 +11,9 @@
 namespace foldwright::testing {
 namespace {
 
+constexpr Rgb kWhite = {255, 255, 255};
+constexpr Rgb kRed = {255, 0, 0};
+
 /// Binary STL whose header announces `announced` triangles and is followed by `present`.
 std::string binary_stl(std::uint32_t announced, int present, float first = 0) {
   std::string bytes = "solid but binary";
@@ -151,19 +154,30 @@ TEST(ReadStl, TakesAFileInOneLine) {
   EXPECT_EQ(read_text(text, "a.stl").face_count(), 2);
 }
 
-TEST(ReadStl, TellsOfColours) {
+TEST(ReadStl, ReadsColoursOfTriangles) {
   EXPECT_EQ(looks_of(read_text(binary_stl(2, 2), "a.stl")), "");
-  std::string marked = binary_stl(2, 2);
-  marked[84 + 2 * 50 - 1] = '\x80';  // of the second triangle
-  EXPECT_EQ(looks_of(read_text(marked, "a.stl")), "colours");
   std::string odd = binary_stl(2, 2);
   odd[84 + 50 - 2] = 'x';  // no colour, whatever it is
   EXPECT_EQ(looks_of(read_text(odd, "a.stl")), "");
-  EXPECT_EQ(looks_of(read_text(binary_stl(2, 2).replace(20, 10, "COLOR=\1\2\3\4"), "a.stl")),
-            "colours");
+  std::string marked = binary_stl(2, 2);
+  marked[84 + 2 * 50 - 1] = '\xFC';  // of the second triangle: red, its bits above those of others
+  EXPECT_EQ(read_text(marked, "a.stl").looks.colours,
+            (std::vector<Rgb>{kWhite, kWhite, kWhite, kRed, kRed, kRed}));
+}
+
+TEST(ReadStl, ReadsAColourOfAllTriangles) {
+  std::string text = binary_stl(2, 2).replace(20, 10, "COLOR=\xFF\1\2\xFF");
+  text[84 + 50 - 1] = '\x80';  // the first triangle has the common colour
+  const Rgb common = {255, 1, 2};
+  const Rgb black = {0, 0, 0};
+  EXPECT_EQ(read_text(text, "a.stl").looks.colours,
+            (std::vector<Rgb>{common, common, common, black, black, black}));
+}
+
+TEST(ReadStl, ReadsColoursInText) {
   EXPECT_EQ(looks_of(read_text("solid\n" + kFacet + "endsolid\n", "a.stl")), "");
-  EXPECT_EQ(looks_of(read_text("solid\ncolor 1 0 0\n" + kFacet + "endsolid\n", "a.stl")),
-            "colours");
+  const PolygonSoup soup = read_text("solid\ncolor 1 0 0\n" + kFacet + "endsolid\n", "a.stl");
+  EXPECT_EQ(soup.looks.colours, (std::vector<Rgb>{kRed, kRed, kRed}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ import { phraseOf, repairPhrase } from '../../web/words/phrase.js';
 /** Codes of what TypeScript finds itself; the type makes the list complete. */
 const own = Object.keys({
   'engine-died': 0,
+  'materials-ignored': 0,
   overtaken: 0,
   'no-piece': 0,
   'not-pinned': 0,
@@ -264,6 +265,10 @@ const examples: readonly [KnownMessage, string][] = [
     "files that end in '.xyz' are not read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are",
   ],
   [
+    { code: 'lost-picture-places', params: { count: 2 } },
+    '2 corners of faces name a place in the picture that the file does not have; these faces show their plain colour',
+  ],
+  [
     {
       code: 'ignored-elements',
       params: { count: 6, points: 1, lines: 2, curves: 2, surfaces: 1 },
@@ -351,6 +356,10 @@ const examples: readonly [KnownMessage, string][] = [
     { code: 'bad-pin', params: { what: 'overlap', pieces: ['A', 'Wing'], sheet: 1 } },
     'pieces A and Wing are pinned on top of each other on sheet 1',
   ],
+  [
+    { code: 'colour-numbers', params: {} },
+    'the file gives its faces numbers instead of colours, and does not say which colours these are: they are not printed',
+  ],
   [{ code: 'files-ignored', params: { files: ['a.mtl'] } }, '1 other file was not needed: a.mtl'],
   [
     { code: 'files-ignored', params: { files: ['a.mtl', 'b.png', 'c.png', 'd.png', 'e.png'] } },
@@ -394,8 +403,16 @@ const examples: readonly [KnownMessage, string][] = [
     '3 edges are glued to faces that they do not continue',
   ],
   [
-    { code: 'large-model', params: { faces: 70000, seconds: 229.4, proposed: 3000 } },
-    'the model has 70000 faces: nets for them take about 4 minutes, and most of them will be too small to fold; simplified to 3000 faces (--faces 3000) it takes seconds',
+    { code: 'large-model', params: { faces: 70000, seconds: 229.4, proposed: 1500 } },
+    'the model has 70000 faces: nets for them take about 4 minutes, and most of them will be too small to fold; paper models have a few hundred (--faces 1500 makes a simpler model)',
+  ],
+  [
+    { code: 'large-model', params: { faces: 2400, seconds: 1.7, proposed: 1500 } },
+    'the model has 2400 faces: most of them will be too small to fold; paper models have a few hundred (--faces 1500 makes a simpler model)',
+  ],
+  [
+    { code: 'too-many-faces', params: { faces: 120000, most: 100000, proposed: 1500 } },
+    'the model has 120000 flat faces, and nets for more than 100000 would take hours and be far too small to fold: --faces 1500 makes a simpler model that can be folded',
   ],
   [
     { code: 'parts-raised', params: { what: 'bodies', bodies: 2 } },

@@ -266,6 +266,8 @@ export const fileMessages = {
   'flipped-faces': was('face', 'turned over, so that all have the same side outside'),
   'halved-edges': was('edge', 'halved, since two edges connected the same vertices'),
   'ignored-elements': ignoredElements,
+  'lost-picture-places': ({ count: number }) =>
+    `${count(number, 'corner')} of faces name a place in the picture that the file does not have; these faces show their plain colour`,
   'merged-two-sided': was(
     'face',
     'given a second time from the other side; both sides are one skin of paper now',

@@ -123,13 +123,18 @@ function filesIgnored({ files }: Messages['files-ignored']): string {
   return `${count(files.length, 'other file')} ${were} not needed: ${some(files)}`;
 }
 
-function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {
+/** A time that is only estimated; nothing of one that nobody would mind. */
+function roughTime(seconds: number): string {
+  if (seconds < 12) return '';
   const time =
     seconds < 90 ? `${Math.round(seconds / 5) * 5} seconds` : `${Math.round(seconds / 60)} minutes`;
-  const fewer = figure(proposed);
+  return `nets for them take about ${time}, and `;
+}
+
+function largeModel({ faces, seconds, proposed }: Messages['large-model']): string {
   return (
-    `the model has ${figure(faces)} faces: nets for them take about ${time}, and most of them will be too small ` +
-    `to fold; simplified to ${fewer} faces (--faces ${fewer}) it takes seconds`
+    `the model has ${figure(faces)} faces: ${roughTime(seconds)}most of them will be too small ` +
+    `to fold; paper models have a few hundred (--faces ${proposed} makes a simpler model)`
   );
 }
 
@@ -180,6 +185,8 @@ export const english: Table = {
     what === 'file'
       ? 'there is not enough memory for the file of the model'
       : `there is not enough memory for ${stages[what].join(': ')}`,
+  'too-many-faces': ({ faces, most, proposed }) =>
+    `the model has ${figure(faces)} flat faces, and nets for more than ${figure(most)} would take hours and be far too small to fold: --faces ${proposed} makes a simpler model that can be folded`,
   'too-few-sheets': () => 'the pieces do not go on so few sheets at any size',
 
   'already-cut': () => 'this edge is cut already',
@@ -213,6 +220,8 @@ export const english: Table = {
   'joints-lost': ({ count: number }) =>
     `${count(number, 'edge')} that stood on other faces came loose when the model was simplified: glue by sight`,
   'large-model': largeModel,
+  'colour-numbers': () =>
+    'the file gives its faces numbers instead of colours, and does not say which colours these are: they are not printed',
   'materials-ignored': ({ what }) =>
     `the model's ${what === 'both' ? 'colours and textures' : what} are not printed: its paper is white`,
   'meets-itself': ({ part }) =>

@@ -61,6 +61,7 @@ export interface EngineMessages {
     | { what: 'nothing' };
 
   'closed-cracks': Counted & { width: number };
+  'lost-picture-places': Counted;
   'closed-t-junctions': Counted;
   'crossing-bodies': Counted;
   'crossings-unchecked': Counted;
@@ -119,6 +120,7 @@ export interface EngineMessages {
   'no-width': None;
   'out-of-memory': { what: Stage | 'file' };
   'too-few-sheets': None;
+  'too-many-faces': { faces: number; most: number; proposed: number };
 
   'already-cut': None;
   'already-joined': None;
@@ -133,12 +135,12 @@ export interface EngineMessages {
   overlap: { what: 'pieces' | 'loop' };
   'would-fall-apart': { what: 'faces' | 'fold'; part: number };
 
+  'colour-numbers': None;
   'files-ignored': { files: string[] };
   'faces-above-wish': { faces: number };
   joints: Counted & { what: 'numbered' | 'bare' };
   'joints-lost': Counted;
   'large-model': { faces: number; seconds: number; proposed: number };
-  'materials-ignored': { what: 'colours' | 'textures' | 'both' };
   'meets-itself': { part: number };
   'no-motion': { part: number };
   'part-split': { what: 'no-motion' | 'no-net'; part: number; pieces: number };
@@ -185,6 +187,7 @@ export type ThreeMfFault =
 
 /** Parameters by the codes of what is found in TypeScript. */
 export interface OwnMessages {
+  'materials-ignored': { what: 'colours' | 'textures' | 'both' };
   'bad-3mf': { file: string } & ThreeMfFault;
   'bad-archive': { file: string } & ArchiveFault;
   'bad-gltf': { file: string } & GltfFault;
