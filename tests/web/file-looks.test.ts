@@ -132,6 +132,28 @@ describe('the looks of an OBJ file', () => {
     ]);
   });
 
+  it('are the only picture beside a model that names none, which is told', () => {
+    const given = { names: ['wood'], libraries: [], surface: { materials: new Int32Array(4) } };
+    const result = finished(given, file('b.mtl', mtl), file('skin.png'));
+    expect(result.looks).toMatchObject({
+      materials: [{ picture: 0 }],
+      pictures: [file('skin.png')],
+    });
+    expect(notices(result)).toEqual([['picture-guessed', 'skin.png']]);
+    const bare = { ...given, names: [], surface: { materials: null } };
+    expect(finished(bare, file('skin.png')).looks?.surface.materials).toEqual(new Int32Array(4));
+    const twoNames = {
+      ...given,
+      names: ['a', 'b'],
+      surface: { materials: Int32Array.of(0, 1, 1, -1) },
+    };
+    expect(finished(twoNames, file('skin.png')).looks?.surface.materials).toEqual(
+      new Int32Array(4),
+    );
+    expect(finished(given, file('a.png'), file('b.png')).looks).toBeUndefined();
+    expect(finished({ ...given, surface: { places: null } }, file('a.png')).looks).toBeUndefined();
+  });
+
   it('are none where all is white', () => {
     const library = file('a.mtl', 'newmtl wood\nKd 1 1 1\nnewmtl red');
     expect(finished({}, library).looks).toBeUndefined();
@@ -164,7 +186,8 @@ describe('the looks of a PLY file', () => {
 
 describe('files beside a model', () => {
   it('are told as not needed only if nothing was made of them', () => {
-    const beside = [file('a.mtl', mtl), file('wood.png'), file('b.png'), file('c.txt', '')];
+    const library = file('a.mtl', `${mtl}newmtl unused\nmap_Kd d.png`);
+    const beside = [library, file('wood.png'), file('b.png'), file('c.txt', ''), file('d.png')];
     const results = new FinishedResults([file('a.obj', ''), ...beside], null);
     const ignored = { code: 'files-ignored', params: { files: beside.map(({ name }) => name) } };
     const result = { ...engineResult({}), notices: [ignored] };

@@ -7,7 +7,6 @@ import { phraseOf, repairPhrase } from '../../web/words/phrase.js';
 /** Codes of what TypeScript finds itself; the type makes the list complete. */
 const own = Object.keys({
   'engine-died': 0,
-  'materials-ignored': 0,
   overtaken: 0,
   'no-piece': 0,
   'not-pinned': 0,
@@ -36,6 +35,7 @@ const own = Object.keys({
   'large-pictures': 0,
   'lost-looks': 0,
   'missing-looks': 0,
+  'picture-guessed': 0,
   'simplified-looks': 0,
   'unknown-materials': 0,
   'unread-libraries': 0,
@@ -126,6 +126,10 @@ const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'missing-looks', params: { what: 'libraries', files: ['a.mtl'] } },
     "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it together with the model, or choose the whole folder",
+  ],
+  [
+    { code: 'picture-guessed', params: { file: 'a.png' } },
+    'the model names no picture, so a.png was laid on it, the only one beside it',
   ],
   [
     { code: 'simplified-looks', params: {} },

@@ -77,6 +77,11 @@ export class Companions {
     return found.map(([, path]) => path);
   }
 
+  /** Paths of all of them. */
+  get paths(): string[] {
+    return [...this.byPath.values()];
+  }
+
   /** Whether a file was found by some address. */
   isUsed(path: string): boolean {
     return this.read.has(path);
@@ -84,6 +89,6 @@ export class Companions {
 
   /** Paths of those that nothing was made of. */
   get unused(): string[] {
-    return [...this.byPath.values()].filter((path) => !this.isUsed(path));
+    return this.paths.filter((path) => !this.isUsed(path));
   }
 }

@@ -11,7 +11,7 @@ import { plyPictures } from './ply-pictures.js';
 import { notice } from './read-model.js';
 
 export interface FileLooks extends LookedFiles {
-  /** Whether all faces are of the first material where none has a number. */
+  /** Whether all faces are of the first material, whatever numbers they have. */
   isForAll: boolean;
   notices: Message[];
 }
@@ -36,7 +36,10 @@ class Libraries {
   private readonly missing: string[] = [];
   private readonly unread: string[] = [];
 
-  constructor(lines: readonly string[], companions: Companions) {
+  constructor(
+    lines: readonly string[],
+    private readonly companions: Companions,
+  ) {
     for (const line of lines) {
       const found = namesOfLine(line).flatMap((name) => companions.find(name) ?? []);
       if (found.length === 0) this.missing.push(line);
@@ -48,6 +51,8 @@ class Libraries {
     const materials = readMtl(bytes);
     if (materials.length === 0) this.unread.push(name);
     for (const material of materials) {
+      // What a library names belongs to the model, whether a face uses it or not.
+      if (material.picture) this.companions.find(material.picture.path, name);
       if (this.materials.has(material.name)) continue;
       this.materials.set(material.name, { ...material, library: name });
     }
@@ -98,13 +103,35 @@ function objLooks({ materialNames, libraries }: EngineLooks, companions: Compani
   return { materials, pictures: pictures.files, isForAll: false, notices };
 }
 
-/** Of a PLY file that names pictures, whose numbers its faces have; it may leave them out. */
-function plyLooks(names: readonly string[], companions: Companions): FileLooks {
+/** Of pictures by their names, which faces have the numbers of, or which all have the first of. */
+function picturesLooks(
+  names: readonly string[],
+  isForAll: boolean,
+  companions: Companions,
+): FileLooks {
   const pictures = new Pictures();
   const materials = names.map((name): Material => {
     return { ...plain, name, picture: pictures.add(name, name, () => companions.find(name)) };
   });
-  return { materials, pictures: pictures.files, isForAll: true, notices: pictures.notices };
+  return { materials, pictures: pictures.files, isForAll, notices: pictures.notices };
+}
+
+const pictureEnding = /\.(?:png|jpe?g|gif)$/i;
+
+/**
+ * The only picture beside a model that has places in pictures, but names none: programs write such files when they are
+ * told to leave materials out. Null if there is none, or several.
+ */
+function onlyPicture({ surface, libraries }: EngineLooks, companions: Companions): string | null {
+  if (!surface.places || libraries.length > 0) return null;
+  const pictures = companions.paths.filter((path) => pictureEnding.test(path));
+  return pictures.length === 1 ? pictures[0]! : null;
+}
+
+function guessedLooks(picture: string, companions: Companions): FileLooks {
+  const looks = picturesLooks([picture], true, companions);
+  const told = notice('picture-guessed', { file: picture });
+  return looks.pictures.length > 0 ? { ...looks, notices: [told] } : looks;
 }
 
 /** @param model as the engine has read it */
@@ -114,5 +141,7 @@ export function fileLooks(
   companions: Companions,
 ): FileLooks {
   const named = plyPictures(model.bytes);
-  return named.length > 0 ? plyLooks(named, companions) : objLooks(engine, companions);
+  if (named.length > 0) return picturesLooks(named, !engine.surface.materials, companions);
+  const only = onlyPicture(engine, companions);
+  return only === null ? objLooks(engine, companions) : guessedLooks(only, companions);
 }

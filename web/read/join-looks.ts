@@ -1,10 +1,9 @@
 import type { EngineLooks, LookedFiles, LookedSurface, Looks } from '../model/looks.js';
 
-/** The number of the first material for each face, if they have no numbers and places in pictures. */
+/** The number of the first material for each face. */
 function allOfFirst(surface: LookedSurface): LookedSurface {
-  const { places, materials } = surface;
-  if (!places || materials) return surface;
-  return { ...surface, materials: new Int32Array(places.length / 6) };
+  const { places } = surface;
+  return places ? { ...surface, materials: new Int32Array(places.length / 6) } : surface;
 }
 
 /** Whether it is all as white as paper. */

@@ -126,6 +126,8 @@ export const readerMessages = {
     `${count(number, 'colour or picture', 'colours or pictures')} that the model refers to ${choose(number, 'is', 'are')} ` +
     'not in the file, so those faces stay white; export it again',
   'missing-looks': missingLooks,
+  'picture-guessed': ({ file }) =>
+    `the model names no picture, so ${shown(file)} was laid on it, the only one beside it`,
   'simplified-looks': () =>
     'where the file lays colours or pictures over each other or mixes them, the topmost picture is taken, ' +
     'or else the main colour',
