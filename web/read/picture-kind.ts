@@ -20,8 +20,6 @@ const beginnings: readonly (readonly [string, RegExp])[] = [
   ['SVG', /^(?:\xef\xbb\xbf)?\s*<(?:\?xml|!--|svg)/],
 ];
 
-const latin = new TextDecoder('latin1');
-
 /** TGA has no mark of its own: whether a table of colours follows, a kind of packing, no table or one from 0. */
 function isTga([, table = 2, packing = 0, first = 1]: Uint8Array): boolean {
   return table <= 1 && [1, 2, 3, 9, 10, 11].includes(packing) && first === 0;
@@ -29,7 +27,8 @@ function isTga([, table = 2, packing = 0, first = 1]: Uint8Array): boolean {
 
 /** What people call the kind of a picture; an empty word for what is none that is known. */
 export function pictureKind(bytes: Uint8Array): string {
-  const begin = latin.decode(bytes.subarray(0, 64));
+  // Decoders of text make other letters of some bytes, and not everywhere the same.
+  const begin = String.fromCharCode(...bytes.subarray(0, 64));
   const marked = beginnings.find(([, beginning]) => beginning.test(begin));
   return marked?.[0] ?? (isTga(bytes) ? 'TGA' : '');
 }
