@@ -82,7 +82,7 @@ describe('the looks of an OBJ file', () => {
     for (const [path, name] of [
       ['.\\Textures\\Wood.png', 'textures/wood.PNG'],
       ['C:\\Users\\me\\wood.png', 'wood.png'],
-      ['/home/me/pictures/wood.png', 'pictures/wood.png'],
+      ['/Volumes/disk/pictures/wood.png', 'pictures/wood.png'],
       ['..\\wood.png', 'wood.png'],
       ['textures/wood.png', 'mats/textures/wood.png'],
       ['my%20wood.png', 'my wood.png'],
