@@ -167,7 +167,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::register_type<FilesValue>("import('../../model/model-files.js').ModelFiles");
   emscripten::register_type<OptionsValue>("import('../../model/job.js').JobOptions");
   emscripten::register_type<StartValue>("import('../../model/job.js').JobStart | null");
-  emscripten::register_type<EventsValue>("import('../../model/job.js').JobEvent[]");
+  emscripten::register_type<EventsValue>("import('../../model/job.js').EngineEvent[]");
   emscripten::register_type<TaskValue>(
       "{ id: number; surface: number; bytes: Uint8Array } | undefined");
   emscripten::register_type<WordsValue>("string[]");

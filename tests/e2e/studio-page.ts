@@ -102,7 +102,7 @@ export class StudioPage {
   }
 
   /** Chooses several files at once, as with the file picker. */
-  async chooseTogether(files: { name: string; content: string }[]): Promise<void> {
+  async chooseTogether(files: { name: string; content: string | Uint8Array }[]): Promise<void> {
     const mimeType = 'application/octet-stream';
     const payloads = files.map(({ name, content }) => {
       return { name, mimeType, buffer: Buffer.from(content) };

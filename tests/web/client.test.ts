@@ -2,10 +2,11 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { runJob } from '../../web/core/client.js';
 import { defaultPatience } from '../../web/core/job-run.js';
 import type { Pool } from '../../web/core/pool.js';
-import type { TimedEvent } from '../../web/core/protocol.js';
+import type { TimedEngineEvent } from '../../web/core/protocol.js';
 import { defaultOptions } from '../../web/model/default-options.js';
-import type { JobEvent } from '../../web/model/job.js';
+import type { EngineEvent } from '../../web/model/job.js';
 import { tetrahedronResult } from './fixtures.js';
+import { withoutLooks } from './engine-result.js';
 import {
   busyPort,
   deafPort,
@@ -16,8 +17,12 @@ import {
   type Script,
 } from './local-pool.js';
 
-const done: JobEvent[] = [{ type: 'done', result: tetrahedronResult() }];
-const progress = (value: number): JobEvent => ({ type: 'stage', stage: 'search', progress: value });
+const done: EngineEvent[] = [{ type: 'done', result: withoutLooks(tetrahedronResult()) }];
+const progress = (value: number): EngineEvent => ({
+  type: 'stage',
+  stage: 'search',
+  progress: value,
+});
 
 /** Workers of which all do the same. */
 function poolFor(script: Script, size = 1) {
@@ -61,7 +66,7 @@ describe('runJob', () => {
     const { pool } = poolFor({
       steps: [[{ type: 'error', code: 'bad-index', params: badIndex }]],
     });
-    const heard: TimedEvent[] = [];
+    const heard: TimedEngineEvent[] = [];
     const message = 'line 3: face refers to vertex 9, but the file has 8 vertices';
     await expect(run(pool, { onEvent: (event) => heard.push(event) })).rejects.toMatchObject({
       name: 'JobError',
@@ -97,14 +102,14 @@ describe('runJob', () => {
   });
 
   it('waits for the nets of a worker that is slow to answer a cancel', async () => {
-    const net: JobEvent = { type: 'net', part: 0, piece: 0 };
+    const net: EngineEvent = { type: 'net', part: 0, piece: 0 };
     for (const steps of [[[net], [progress(0.5)]], [[progress(0.5)]]]) {
       const { pool, spawned } = poolOf(1, (listener) =>
         busyPort(engineOf({ steps }), listener, 3 * defaultPatience),
       );
       const control = new AbortController();
       const heard = new Set<string>();
-      const onEvent = ({ type }: TimedEvent): void => {
+      const onEvent = ({ type }: TimedEngineEvent): void => {
         heard.add(type);
         control.abort();
       };
@@ -119,8 +124,8 @@ describe('runJob', () => {
   it('hands over a result that is done when the end is asked for', async () => {
     const { pool } = poolFor({ steps: [[{ type: 'net', part: 0, piece: 0 }, ...done]] });
     const control = new AbortController();
-    const heard: TimedEvent[] = [];
-    const onEvent = (event: TimedEvent): void => {
+    const heard: TimedEngineEvent[] = [];
+    const onEvent = (event: TimedEngineEvent): void => {
       heard.push(event);
       if (event.type === 'net') control.abort();
     };
@@ -183,7 +188,7 @@ describe('runJob', () => {
   it('tells the last of each kind before the end', async () => {
     const steps = Array.from({ length: 60 }, (_, i) => [progress(i / 60)]);
     const { pool } = poolFor({ steps: [...steps, done] });
-    const heard: TimedEvent[] = [];
+    const heard: TimedEngineEvent[] = [];
     await run(pool, { onEvent: (event) => heard.push(event) });
     expect(heard.length).toBeLessThan(60);
     expect(heard.slice(-2)).toMatchObject([{ type: 'stage', progress: 59 / 60 }, { type: 'done' }]);

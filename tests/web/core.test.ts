@@ -2,12 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { EventThrottle } from '../../web/core/event-throttle.js';
 import { GenerationFilter } from '../../web/core/generation-filter.js';
 import { poolSize } from '../../web/core/pool-size.js';
-import type { TimedEvent } from '../../web/core/protocol.js';
+import type { TimedEngineEvent } from '../../web/core/protocol.js';
 import { StageClock } from '../../web/core/stage-clock.js';
 import { nextBudget } from '../../web/core/step-budget.js';
 import { TaskDispatcher } from '../../web/core/task-dispatcher.js';
 import { buffersOf } from '../../web/core/transfer.js';
-import type { JobEvent } from '../../web/model/job.js';
+import type { EngineEvent } from '../../web/model/job.js';
 import type { Stage } from '../../web/model/stages.js';
 
 describe('nextBudget', () => {
@@ -27,20 +27,20 @@ describe('nextBudget', () => {
 });
 
 describe('EventThrottle', () => {
-  const stage = (progress: number, name: Stage = 'learn'): TimedEvent => {
+  const stage = (progress: number, name: Stage = 'learn'): TimedEngineEvent => {
     return { type: 'stage', stage: name, progress, seconds: 0 };
   };
 
-  const generation = (number: number): TimedEvent => {
+  const generation = (number: number): TimedEngineEvent => {
     return { type: 'generation', part: 0, generation: number, best: 0, overlaps: 0, hyperbolic: 0 };
   };
 
   it('drops only what a later event of the batch tells as well', () => {
-    const sent: TimedEvent[][] = [];
+    const sent: TimedEngineEvent[][] = [];
     const throttle = new EventThrottle((events) => sent.push(events));
-    const learned: TimedEvent = { type: 'learned', runs: 10, of: 400 };
-    const matrix: TimedEvent = { ...learned, matrix: { size: 0, values: new Uint8Array() } };
-    const net: TimedEvent = { type: 'net', part: 0, piece: 0 };
+    const learned: TimedEngineEvent = { type: 'learned', runs: 10, of: 400 };
+    const matrix: TimedEngineEvent = { ...learned, matrix: { size: 0, values: new Uint8Array() } };
+    const net: TimedEngineEvent = { type: 'net', part: 0, piece: 0 };
     throttle.push(stage(0.1));
     throttle.release(0);
     const events = [stage(0.2), learned, matrix, net, stage(0.3), learned, matrix, stage(0.4)];
@@ -54,7 +54,7 @@ describe('EventThrottle', () => {
   });
 
   it('tells every generation, in order', () => {
-    const sent: TimedEvent[] = [];
+    const sent: TimedEngineEvent[] = [];
     const throttle = new EventThrottle((events) => sent.push(...events));
     const all = Array.from({ length: 500 }, (_, i) => generation(i + 1));
     all.forEach((event, i) => {
@@ -66,7 +66,7 @@ describe('EventThrottle', () => {
   });
 
   it('tells at once that a stage begins', () => {
-    const sent: TimedEvent[] = [];
+    const sent: TimedEngineEvent[] = [];
     const throttle = new EventThrottle((events) => sent.push(...events));
     throttle.push(stage(0.1));
     throttle.release(0);
@@ -92,7 +92,7 @@ describe('EventThrottle', () => {
 });
 
 describe('GenerationFilter', () => {
-  const generation = (number: number, part = 0): JobEvent => {
+  const generation = (number: number, part = 0): EngineEvent => {
     return { type: 'generation', part, generation: number, best: 0, overlaps: 1, hyperbolic: 0 };
   };
 

@@ -6,6 +6,7 @@ import { defaultOptions } from '../../web/model/default-options.js';
 import { isRenaming, merging, renamed, splitting, startFrom } from '../../web/model/edits.js';
 import type { JobResult, Piece } from '../../web/model/job.js';
 import type { JobOptions } from '../../web/model/job-options.js';
+import { withoutLooks } from './engine-result.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
@@ -26,9 +27,10 @@ function run(
   runOptions: RunOptions = {},
   more: Partial<JobOptions> = {},
 ): Promise<TimedResult> {
-  return withThreads(workers, (pool) =>
-    runJob(pool, [{ name: 'ring.obj', bytes }], { ...options, ...more }, runOptions),
-  );
+  return withThreads(workers, async (pool) => {
+    const files = [{ name: 'ring.obj', bytes }];
+    return withoutLooks(await runJob(pool, files, { ...options, ...more }, runOptions));
+  });
 }
 
 /** The result that all edits start from; how many workers make it does not matter. */

@@ -31,8 +31,12 @@ export class Scene {
   }
 
   list(
-    type: 'SCALAR' | 'VEC3' | 'VEC4',
-    values: Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Int16Array<ArrayBuffer>,
+    type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4',
+    values:
+      | Float32Array<ArrayBuffer>
+      | Uint8Array<ArrayBuffer>
+      | Uint16Array<ArrayBuffer>
+      | Int16Array<ArrayBuffer>,
   ): Accessor {
     return this.document.createAccessor().setType(type).setArray(values).setBuffer(this.buffer);
   }
@@ -44,7 +48,7 @@ export class Scene {
   /** The JSON and the buffer beside it, which it calls "data.bin". */
   async separate(): Promise<{ json: GLTF.IGLTF; bin: Uint8Array }> {
     const { json, resources } = await io.writeJSON(this.document, { basename: 'data' });
-    return { json, bin: Object.values(resources)[0]! };
+    return { json, bin: resources['data.bin']! };
   }
 }
 

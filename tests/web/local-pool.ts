@@ -4,12 +4,12 @@ import { serveEngine } from '../../web/core/engine-worker.js';
 import { Pool } from '../../web/core/pool.js';
 import type { Request } from '../../web/core/protocol.js';
 import type { Port, PortListener } from '../../web/core/worker-port.js';
-import type { JobEvent } from '../../web/model/job.js';
+import type { EngineEvent } from '../../web/model/job.js';
 
 /** How a job goes. */
 export interface Script {
   /** What each step of the job's own work tells; the last one repeats. */
-  steps: JobEvent[][];
+  steps: EngineEvent[][];
   /** Tasks that wait after the first step; the second one follows when all are done. */
   tasks?: number;
   /** Steps that a task takes; default 1. */
@@ -24,7 +24,7 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
   return {
     createJob() {
       let [next, taken, done] = [0, 0, 0];
-      const step = (): JobEvent[] => {
+      const step = (): EngineEvent[] => {
         if (next === 1 && done < tasks) return [];
         return steps[Math.min(next++, steps.length - 1)]!;
       };

@@ -7,7 +7,6 @@ import { phraseOf, repairPhrase } from '../../web/words/phrase.js';
 /** Codes of what TypeScript finds itself; the type makes the list complete. */
 const own = Object.keys({
   'engine-died': 0,
-  'materials-ignored': 0,
   overtaken: 0,
   'no-piece': 0,
   'not-pinned': 0,
@@ -32,6 +31,15 @@ const own = Object.keys({
   'no-model-in-archive': 0,
   'reader-not-loaded': 0,
   'too-many-triangles': 0,
+  'damaged-looks': 0,
+  'large-pictures': 0,
+  'lost-looks': 0,
+  'missing-looks': 0,
+  'picture-guessed': 0,
+  'simplified-looks': 0,
+  'unknown-materials': 0,
+  'unread-libraries': 0,
+  'unread-pictures': 0,
   'archive-choice': 0,
   'not-for-printing': 0,
   'posed-skins': 0,
@@ -95,6 +103,53 @@ const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'no-model-in-archive', params: { file: 'a.zip', files: [] } },
     "there is nothing in the archive 'a.zip'",
+  ],
+  [
+    { code: 'damaged-looks', params: {} },
+    'the colours and pictures in the file are damaged: only its shape was read; export it again',
+  ],
+  [
+    {
+      code: 'large-pictures',
+      params: { files: ['a.png'], most: 256, most_mb: 64, most_pixels: 2 ** 26 },
+    },
+    'a.png was left out: up to 256 pictures of 64 MB together can be used, each of 67 million pixels at most; make it smaller in a program for pictures',
+  ],
+  [
+    { code: 'lost-looks', params: { count: 2 } },
+    '2 colours or pictures that the model refers to are not in the file, so those faces stay white; export it again',
+  ],
+  [
+    { code: 'missing-looks', params: { what: 'pictures', files: ['a.png', 'b.png'] } },
+    'the pictures a.png and b.png are missing, so those faces stay plain; choose them together with the model, or choose the whole folder',
+  ],
+  [
+    { code: 'missing-looks', params: { what: 'libraries', files: ['a.mtl'] } },
+    "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it together with the model, or choose the whole folder",
+  ],
+  [
+    { code: 'picture-guessed', params: { file: 'a.png' } },
+    'the model names no picture, so a.png was laid on it, the only one beside it',
+  ],
+  [
+    { code: 'simplified-looks', params: {} },
+    'where the file lays colours or pictures over each other or mixes them, the topmost picture is taken, or else the main colour',
+  ],
+  [
+    { code: 'unknown-materials', params: { names: ['wood'] } },
+    "the model's material wood is in none of its MTL files, so what is made of it stays white",
+  ],
+  [
+    { code: 'unread-libraries', params: { files: ['a.mtl'] } },
+    "a.mtl, which should describe the model's colours and pictures, is damaged or no MTL file; export the model again",
+  ],
+  [
+    { code: 'unread-pictures', params: { files: ['a.tga', 'b.dds'], kinds: ['TGA', 'DDS'] } },
+    'a.tga and b.dds are of a kind that is not read (TGA and DDS); save them as PNG or JPEG, and name them so in the model',
+  ],
+  [
+    { code: 'unread-pictures', params: { files: ['a.png'], kinds: [] } },
+    'a.png is no picture that can be read; save it as PNG or JPEG, and name it so in the model',
   ],
   [
     { code: 'archive-choice', params: { file: 'a.obj', others: ['b/c.obj', 'b/d.obj'] } },

@@ -6,6 +6,7 @@ import { readFiles } from '../../web/read/read-files.js';
 import type { ReadModel } from '../../web/read/read-model.js';
 import { Unreadable } from '../../web/read/unreadable.js';
 import { phraseOf } from '../../web/words/phrase.js';
+import { parsePly, type LookedTriangles } from './ply-file.js';
 
 const dracoFile = fileURLToPath(
   new URL('../../node_modules/draco3dgltf/draco_decoder_gltf.wasm', import.meta.url),
@@ -31,31 +32,9 @@ export interface Triangles {
   corners: number[];
 }
 
-function fromPly(bytes: Uint8Array, header: string): Triangles {
-  const [vertices, faces] = [/vertex (\d+)/, /face (\d+)/].map((word) =>
-    Number(word.exec(header)![1]),
-  ) as [number, number];
-  const view = new DataView(bytes.buffer, bytes.byteOffset + header.length);
-  const positions = Array.from({ length: 3 * vertices }, (_, i) => view.getFloat32(4 * i, true));
-  const corners = Array.from({ length: 3 * faces }, (_, i) => {
-    const face = 12 * vertices + 13 * Math.floor(i / 3);
-    return view.getInt32(face + 1 + 4 * (i % 3), true);
-  });
-  return { positions, corners };
-}
-
 /** The triangles of a file as readers write it. */
-export function trianglesOf({ bytes }: ModelFile): Triangles {
-  const text = new TextDecoder('latin1').decode(bytes);
-  const ply = /^ply[^]*?end_header\n/.exec(text);
-  if (ply) return fromPly(bytes, ply[0]);
-  const [, counts, ...words] = text.trim().split(/\s*\n/);
-  const vertices = Number(counts!.split(' ')[0]);
-  const rows = words.map((line) => line.split(' ').map(Number));
-  return {
-    positions: rows.slice(0, vertices).flat(),
-    corners: rows.slice(vertices).flatMap(([, ...corners]) => corners),
-  };
+export function trianglesOf({ bytes }: ModelFile): LookedTriangles {
+  return parsePly(bytes);
 }
 
 /** Six times the signed volume, over six: positive where outsides are outside. */

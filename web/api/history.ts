@@ -93,7 +93,10 @@ export class History {
   }
 
   private step(edits: readonly DocumentEdit[], state: DocumentState, remake: Remake): Step {
-    return { edits, remake, state, report: this.reportOf(state), bytes: bytesOf(state.result) };
+    const { looks, ...rest } = state.result;
+    // Pictures are the same ones in all states.
+    const bytes = bytesOf([rest, looks?.surface]);
+    return { edits, remake, state, report: this.reportOf(state), bytes };
   }
 
   private dropFar(): void {

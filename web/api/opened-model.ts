@@ -2,11 +2,12 @@
 import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
 import { readModel } from '../core/model-reader.js';
 import type { Pool } from '../core/pool.js';
-import type { TimedEvent } from '../core/protocol.js';
-import type { JobResult } from '../model/job.js';
+import type { TimedEngineEvent } from '../core/protocol.js';
 import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { ReadModel } from '../read/read-model.js';
+import { FinishedResults } from './finished-results.js';
+import type { WorkOptions } from './work.js';
 
 /** Fills in what the model's format says where the options leave it open. */
 function filledIn(options: JobOptions, { usual }: ReadModel): JobOptions {
@@ -18,21 +19,15 @@ function filledIn(options: JobOptions, { usual }: ReadModel): JobOptions {
   };
 }
 
-/** A result under the name of the file that people chose, with what is to be told of that. */
-function named<Result extends JobResult>(result: Result, { name, notices }: ReadModel): Result {
-  return { ...result, file: name, notices: [...notices, ...result.notices] };
-}
-
-function namedEvent(event: TimedEvent, model: ReadModel): TimedEvent {
-  if (event.type === 'model') return { ...event, file: model.name };
-  if (event.type === 'done') return { ...event, result: named(event.result, model) };
-  if (event.type !== 'cancelled' || !event.best) return event;
-  return { ...event, best: named(event.best, model) };
+/** Files as they were read, and what is made of the engine's results for them. */
+interface Opened {
+  model: ReadModel | null;
+  finished: FinishedResults;
 }
 
 /** Reads a model's files once, and runs jobs on what they give. */
 export class OpenedModel {
-  private reading: Promise<ReadModel | null> | null = null;
+  private opening: Promise<Opened> | null = null;
 
   constructor(
     private readonly files: ModelFiles,
@@ -40,22 +35,29 @@ export class OpenedModel {
   ) {}
 
   /** Rejects as `runJob` does, and with a `JobError` for files that give no model. */
-  async run(options: JobOptions, work: RunOptions): Promise<TimedResult> {
-    const model = await this.read(work.signal);
-    const pool = this.pool();
-    if (!model) return runJob(pool, this.files, options, work);
-    const onEvent = (event: TimedEvent): void => work.onEvent?.(namedEvent(event, model));
-    const result = await runJob(pool, [model.file], filledIn(options, model), { ...work, onEvent });
-    return named(result, model);
+  async run(
+    options: JobOptions,
+    work: WorkOptions & Pick<RunOptions, 'start'>,
+  ): Promise<TimedResult> {
+    const { model, finished } = await this.open(work.signal);
+    const files = model ? [model.file] : this.files;
+    const onEvent = (event: TimedEngineEvent): void => work.onEvent?.(finished.ofEvent(event));
+    const wanted = model ? filledIn(options, model) : options;
+    return finished.of(await runJob(this.pool(), files, wanted, { ...work, onEvent }));
   }
 
-  /** Read once for all jobs; another try may succeed where one was ended. */
-  private read(signal: AbortSignal | undefined): Promise<ReadModel | null> {
-    this.reading ??= readModel(this.pool, this.files, signal);
-    const { reading } = this;
-    reading.catch(() => {
-      if (this.reading === reading) this.reading = null;
+  /** Once for all jobs; another try may succeed where one was ended. */
+  private open(signal: AbortSignal | undefined): Promise<Opened> {
+    this.opening ??= this.openNow(signal);
+    const { opening } = this;
+    opening.catch(() => {
+      if (this.opening === opening) this.opening = null;
     });
-    return reading;
+    return opening;
+  }
+
+  private async openNow(signal: AbortSignal | undefined): Promise<Opened> {
+    const model = await readModel(this.pool, this.files, signal);
+    return { model, finished: new FinishedResults(this.files, model) };
   }
 }

@@ -2,6 +2,7 @@ import type { JobResult, Piece } from '../model/job.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
 import { FoldingPanel } from './folding-panel.js';
+import { LooksSwitch } from './looks-switch.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { RunPictures } from './run-pictures.js';
@@ -29,6 +30,7 @@ export class ModelPanel extends Panel {
   private readonly folding = new FoldingPanel(this.place, (time) =>
     this.view.post({ type: 'time', time }),
   );
+  private readonly looks = new LooksSwitch(this.place, (message) => this.view.post(message));
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
 
@@ -50,13 +52,15 @@ export class ModelPanel extends Panel {
     this.name.textContent = run.modelName;
     this.run = run;
     this.folding.clear();
+    this.looks.offer(null);
     this.view.post({ type: 'model', vertices, faces });
   }
 
   /** Shows the repaired model in its final colours; that of the same run only changes its colours. */
-  finish(run: RunPictures, { model, labels, pieces }: JobResult): void {
+  finish(run: RunPictures, { model, labels, pieces, looks }: JobResult): void {
     if (this.run !== run) this.show(run, model);
     this.paint(labels);
+    this.looks.offer(looks ?? null);
     // A run that was cancelled may have left faces in no piece: they could not fold with the others.
     const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
     if (covered !== model.faces.length / 3) return;

@@ -1,8 +1,10 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { FileLimits, isHidden, type ModelFile } from '../model/model-files.js';
-import { neededFiles } from '../read/needed-files.js';
+import { placesOf } from '../read/companions.js';
+import { companionsOf } from '../read/named-files.js';
 import { Exit, exitStatus } from './exit.js';
+import { placeOnDisk } from './place-on-disk.js';
 
 function reasonOf(error: unknown): string {
   const { code, message } = error as NodeJS.ErrnoException;
@@ -47,23 +49,22 @@ function readFolder(folder: string): ModelFile[] {
   return found.map(({ name, path }) => ({ name, bytes: readFileSync(path) }));
 }
 
-/** A model's file with those beside it that it cannot be read without, as far as they are there. */
-function withNeeded(model: string, file: ModelFile): ModelFile[] {
+/** A model's file with those beside it that it names, as far as they are there. */
+function withNamed(model: string, file: ModelFile): ModelFile[] {
   const limits = new FileLimits();
-  const found = [file];
-  for (const name of neededFiles(file)) {
+  const find = (address: string, base: string): ModelFile | null => {
+    const name = placeOnDisk(dirname(model), placesOf(address, base, file.name));
+    if (name === null) return null;
     const path = join(dirname(model), name);
-    const status = statSync(path, { throwIfNoEntry: false });
-    if (!status?.isFile()) continue;
-    const excess = limits.add(status.size);
+    const excess = limits.add(statSync(path).size);
     if (excess !== null) throw modelError(model, `what belongs to it has ${excess}`);
-    found.push({ name, bytes: readFileSync(path) });
-  }
-  return found;
+    return { name, bytes: readFileSync(path) };
+  };
+  return [file, ...companionsOf(file, find)];
 }
 
 /**
- * The model's file with what it needs, or all files of its folder.
+ * The model's file with those that it names, or all files of its folder.
  * @throws Exit if there is none, or nothing in it
  */
 export function readModelFiles(model: string): ModelFile[] {
@@ -74,7 +75,7 @@ export function readModelFiles(model: string): ModelFile[] {
     if (!status.isFile() && !status.isFIFO()) throw modelError(model, 'is not a file');
     const bytes = readFileSync(model);
     if (bytes.length === 0) throw modelError(model, 'the file is empty');
-    return withNeeded(model, { name: basename(model), bytes });
+    return withNamed(model, { name: basename(model), bytes });
   } catch (error) {
     throw error instanceof Exit ? error : modelError(model, reasonOf(error));
   }

@@ -1,11 +1,11 @@
-import type { JobResult, JobStart } from '../model/job.js';
+import type { EngineResult, JobResult, JobStart } from '../model/job.js';
 import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { engineDied, JobError } from './job-error.js';
 import { JobRun } from './job-run.js';
 import type { Pool } from './pool.js';
-import type { TimedEvent } from './protocol.js';
+import type { TimedEngineEvent } from './protocol.js';
 
 export interface RunOptions {
   /** Ends the job; the promise then rejects with the signal's reason. */
@@ -13,7 +13,7 @@ export interface RunOptions {
   /** Hears everything that the job tells, the last event included; batches come ten times a second
    * at most. After an abort it hears `cancelled` with the nets found so far, unless the job was in a
    * long step and its worker had to be replaced. */
-  onEvent?: (event: TimedEvent) => void;
+  onEvent?: (event: TimedEngineEvent) => void;
   /** Whether `generation` events show the net under search now and then. */
   pictures?: boolean;
   /** How long an aborted run waits for the nets found so far, in ms; 100 unless given. */
@@ -28,6 +28,11 @@ export interface TimedResult extends JobResult {
   seconds: StageSeconds;
 }
 
+/** The same as the engine gives it. */
+export interface TimedEngineResult extends EngineResult {
+  seconds: StageSeconds;
+}
+
 /** A model's files and what to do with them. */
 interface Order {
   files: ModelFiles;
@@ -37,7 +42,7 @@ interface Order {
 
 let lastJob = 0;
 
-function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedResult> {
+function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedEngineResult> {
   const { signal, onEvent, pictures = false, patience } = runOptions;
   return new Promise((resolve, reject) => {
     const settle = (last: () => void): void => {
@@ -83,7 +88,7 @@ export function runJob(
   files: ModelFiles,
   options: JobOptions,
   runOptions: RunOptions = {},
-): Promise<TimedResult> {
+): Promise<TimedEngineResult> {
   return pool.inTurn(async () => {
     runOptions.signal?.throwIfAborted();
     return runNow(pool, { files, options, start: runOptions.start ?? null }, runOptions);

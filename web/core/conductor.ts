@@ -1,4 +1,4 @@
-import type { JobEvent } from '../model/job.js';
+import type { EngineEvent } from '../model/job.js';
 import type { Engine, WorkerHost } from './engine.js';
 import { EventThrottle } from './event-throttle.js';
 import type { Job } from './generated/foldwright.mjs';
@@ -11,7 +11,7 @@ import type {
   RunRequest,
   TaskOrder,
   TaskReport,
-  TimedEvent,
+  TimedEngineEvent,
 } from './protocol.js';
 import { StageClock } from './stage-clock.js';
 import { TaskExecutor } from './task-executor.js';
@@ -27,10 +27,10 @@ const reportsPerSecond = 8;
 /** Helpers that may die over a task. More than one, because a system short of memory ends any. */
 const mostDeaths = 3;
 
-const isLast = ({ type }: JobEvent): boolean => type === 'done' || type === 'error';
+const isLast = ({ type }: EngineEvent): boolean => type === 'done' || type === 'error';
 
 /** Adds the time to an event. */
-function timed(event: JobEvent, clock: StageClock, now: number): TimedEvent {
+function timed(event: EngineEvent, clock: StageClock, now: number): TimedEngineEvent {
   if (event.type === 'stage') return { ...event, seconds: clock.elapsed(now) };
   if (event.type !== 'done' && event.type !== 'cancelled') return event;
   return { ...event, seconds: clock.seconds() };
@@ -158,7 +158,7 @@ export class Conductor {
   }
 
   /** Passes events on, and puts the tasks that have come up in its queue. */
-  private passOnEvents(events: JobEvent[]): void {
+  private passOnEvents(events: EngineEvent[]): void {
     const now = performance.now();
     // What happens belongs to one stage and names it, but for the step that finishes a stage.
     this.clock.spend(now, events.find((event) => event.type === 'stage')?.stage);

@@ -1,5 +1,5 @@
 import type { Stage } from '../model/stages.js';
-import type { TimedEvent } from './protocol.js';
+import type { TimedEngineEvent } from './protocol.js';
 
 /** Batches in any second. */
 const mostPerSecond = 10;
@@ -8,7 +8,7 @@ const mostPerSecond = 10;
 const interval = 125;
 
 /** Events of which a later one of the same kind tells all that this one does. */
-function isPassing(event: TimedEvent): boolean {
+function isPassing(event: TimedEngineEvent): boolean {
   return event.type === 'stage' || (event.type === 'learned' && !event.matrix);
 }
 
@@ -18,15 +18,15 @@ function isPassing(event: TimedEvent): boolean {
  * begins does not wait for its turn, because work that cannot be interrupted may follow.
  */
 export class EventThrottle {
-  private held: TimedEvent[] = [];
+  private held: TimedEngineEvent[] = [];
   /** When the batches of the last second were sent. */
   private sent: number[] = [];
   private stage: Stage | null = null;
   private stageBegins = false;
 
-  constructor(private readonly send: (events: TimedEvent[]) => void) {}
+  constructor(private readonly send: (events: TimedEngineEvent[]) => void) {}
 
-  push(event: TimedEvent): void {
+  push(event: TimedEngineEvent): void {
     if (event.type === 'stage' && event.stage !== this.stage) {
       this.stage = event.stage;
       this.stageBegins = true;

@@ -1,4 +1,4 @@
-import type { JobEvent } from '../model/job.js';
+import type { EngineEvent } from '../model/job.js';
 
 /**
  * Keeps a job from telling generations twice. A task whose helper died is run again from its start
@@ -18,8 +18,8 @@ export class GenerationFilter {
   }
 
   /** What is new of what has happened in a task, with the numbers that it would have had. */
-  newOf(task: number, events: JobEvent[]): JobEvent[] {
-    return events.flatMap((event): JobEvent[] => {
+  newOf(task: number, events: EngineEvent[]): EngineEvent[] {
+    return events.flatMap((event): EngineEvent[] => {
       if (event.type !== 'generation') return [event];
       const { part, generation } = event;
       const known = this.known.get(task) ?? 0;

@@ -1,11 +1,11 @@
 import type { Pool, PoolListener } from './pool.js';
-import type { Answer, EventsAnswer, RunRequest, TimedEvent } from './protocol.js';
+import type { Answer, EventsAnswer, RunRequest, TimedEngineEvent } from './protocol.js';
 import { phraseOf } from '../words/phrase.js';
 import { buffersOf } from './transfer.js';
 
 /** What a run tells whoever started it. */
 export interface RunListener {
-  onEvent(event: TimedEvent): void;
+  onEvent(event: TimedEngineEvent): void;
   /** The conductor is gone, and the job with it; `reason` is for people. */
   onDeath(reason: string): void;
 }
@@ -23,7 +23,7 @@ export const defaultPatience = 80;
 const patienceForNets = 30_000;
 
 /** An event with its message in words. */
-function inWords(event: TimedEvent): TimedEvent {
+function inWords(event: TimedEngineEvent): TimedEngineEvent {
   const hasMessage = event.type === 'notice' || event.type === 'error';
   return hasMessage ? { ...event, text: phraseOf(event) } : event;
 }
@@ -159,7 +159,7 @@ export class JobRun implements PoolListener {
   }
 
   /** What the job came to after its end was asked for: its nets so far, or all of them. */
-  private passOnLast(events: readonly TimedEvent[]): void {
+  private passOnLast(events: readonly TimedEngineEvent[]): void {
     for (const event of events) {
       if (event.type === 'cancelled') this.listener.onEvent(event);
       if (event.type !== 'done') continue;

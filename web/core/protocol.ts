@@ -5,7 +5,7 @@
  * say, and moves the bytes without looking at them. Jobs and workers are numbered by the main
  * thread, tasks and surfaces by the job.
  */
-import type { JobEvent, JobStart } from '../model/job.js';
+import type { EngineResult, JobEvent, JobResult, JobStart } from '../model/job.js';
 import type { JobOptions } from '../model/job-options.js';
 import type { Message } from '../model/message.js';
 import type { ModelFiles } from '../model/model-files.js';
@@ -108,20 +108,23 @@ export type Request =
   RunRequest | ReadRequest | HelperRequest | LostRequest | ReportRequest | TaskRequest | EndRequest;
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
-export type TimedEvent =
+export type TimedEvent<Result = JobResult> =
   | Exclude<JobEvent, { type: 'stage' | 'notice' | 'error' | 'done' | 'cancelled' }>
   /** `text`: the message in words; there once the event has left the workers, which know no language. */
   | (Extract<JobEvent, { type: 'notice' | 'error' }> & { text?: string })
   /** `seconds` since the job began. */
   | (Extract<JobEvent, { type: 'stage' }> & { seconds: number })
-  | (Extract<JobEvent, { type: 'done' | 'cancelled' }> & { seconds: StageSeconds });
+  | (Extract<JobEvent<Result>, { type: 'done' | 'cancelled' }> & { seconds: StageSeconds });
+
+/** The same as it comes from the workers. */
+export type TimedEngineEvent = TimedEvent<EngineResult>;
 
 /** Answers `run`, at most ten times a second; transfers the buffers of all typed arrays. */
 export interface EventsAnswer {
   type: 'events';
   job: number;
   /** In the order in which they happened. */
-  events: TimedEvent[];
+  events: TimedEngineEvent[];
 }
 
 /** Answers `run` when tasks wait: how many helpers would have something to do. */

@@ -3,7 +3,7 @@
  * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
  */
 import type { PartName } from './job-options.js';
-import type { Looks } from './looks.js';
+import type { EngineLooks, Looks } from './looks.js';
 import type { Message } from './message.js';
 import type { Stage } from './stages.js';
 
@@ -258,6 +258,9 @@ export interface JobResult {
   hash: string;
 }
 
+/** A result as the engine gives it, which does not know the files beside the model. */
+export type EngineResult = Omit<JobResult, 'looks'> & { looks?: EngineLooks };
+
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {
   size: number;
@@ -278,7 +281,7 @@ export interface NetPicture {
 }
 
 /** What a job tells while it runs; `progress` is in [0, 1] over the whole job and never falls. */
-export type JobEvent =
+export type JobEvent<Result = JobResult> =
   | { type: 'stage'; stage: Stage; progress: number }
   /** The repaired model in its own units, once it is read; `file`: name of the one that it was in. */
   | { type: 'model'; file: string; vertices: Float32Array; faces: Int32Array }
@@ -295,8 +298,11 @@ export type JobEvent =
     }
   | { type: 'net'; part: number; piece: number }
   | ({ type: 'notice' } & Message)
-  | { type: 'done'; result: JobResult }
+  | { type: 'done'; result: Result }
   /** Ended on demand; `best` holds the nets found so far, if any: other faces are in no piece. */
-  | { type: 'cancelled'; best?: JobResult }
+  | { type: 'cancelled'; best?: Result }
   /** `faces`: of the repaired model, that it is about. */
   | ({ type: 'error'; faces?: Int32Array } & Message);
+
+/** What the engine tells. */
+export type EngineEvent = JobEvent<EngineResult>;

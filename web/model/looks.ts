@@ -46,3 +46,15 @@ export interface Looks {
   /** PNG, JPEG or whatever else the files hold, with the names that people know. */
   pictures: readonly ModelFile[];
 }
+
+/** Materials and pictures of a model whose faces have numbers of materials. */
+export type LookedFiles = Pick<Looks, 'materials' | 'pictures'>;
+
+/** What the engine reads of a model's looks. What lies in other files it only names. */
+export interface EngineLooks {
+  surface: LookedSurface;
+  /** What faces call their materials, in the order of their numbers; empty where the file has numbers only. */
+  materialNames: readonly string[];
+  /** Where these are described: the rest of each `mtllib` line of an OBJ file, with one name or several. */
+  libraries: readonly string[];
+}

@@ -13,11 +13,28 @@ export function sourceOf(files: ModelFiles): FileSource {
   return { paths: [...byName.keys()], read: (path) => byName.get(path)! };
 }
 
+const nameIn = (address: string): string => address.replace(/^.*[/\\]/, '');
+
+/**
+ * Where the file of an address may lie: there, or under its name beside the file that names it or beside the model,
+ * since whoever picks or moves files loses their folders. Normalized paths, the first one first; none leads out.
+ *
+ * @param base path of the file that names it
+ * @param model path of the model
+ */
+export function placesOf(address: string, base: string, model: string): string[] {
+  const paths = [address, decoded(address)];
+  const places = [base, model].flatMap((from) =>
+    [...paths, ...paths.map(nameIn)].flatMap((path) => normalized(folderOf(from) + path) || []),
+  );
+  return [...new Set(places)];
+}
+
 /** The files that came along with a model, by how it names them, and which of them were used. */
 export class Companions {
   /** Normalized and in lower case, as systems differ in what they tell apart. */
   private readonly byPath = new Map<string, string>();
-  private readonly used = new Set<string>();
+  private readonly read = new Map<string, ModelFile>();
 
   /** @param model path of the model, which other paths are relative to */
   constructor(
@@ -31,25 +48,47 @@ export class Companions {
   }
 
   /**
-   * The file of an address that is relative to the model; where none lies there, one of that name beside the
-   * model, since whoever picks files loses their folders. Null if it did not come along.
+   * The file of an address; null if it did not come along.
+   *
+   * @param base path of the file that names it, and to which it is relative
    */
-  find(address: string): ModelFile | null {
-    const folder = folderOf(this.model);
-    for (const path of [address, decoded(address)]) {
-      const name = path.replace(/^.*[/\\]/, '');
-      for (const candidate of [folder + path, folder + name]) {
-        const found = this.byPath.get(normalized(candidate)?.toLowerCase() ?? '');
-        if (found === undefined) continue;
-        this.used.add(found);
-        return this.source.read(found);
-      }
+  find(address: string, base = this.model): ModelFile | null {
+    const found = this.pathOf(address, base);
+    if (found === undefined) return null;
+    const file = this.read.get(found) ?? this.source.read(found);
+    this.read.set(found, file);
+    return file;
+  }
+
+  /** Where no file lies at an address, the only one of that name is taken, in whatever folder. */
+  private pathOf(address: string, base: string): string | undefined {
+    for (const path of placesOf(address, base, this.model)) {
+      const found = this.byPath.get(path.toLowerCase());
+      if (found !== undefined) return found;
     }
-    return null;
+    const called = this.named(nameIn(address));
+    return called.length === 1 ? called[0] : undefined;
+  }
+
+  /** Paths of all files of that name, in whatever folders. */
+  private named(name: string): string[] {
+    const end = `/${name.toLowerCase()}`;
+    const found = [...this.byPath].filter(([key]) => `/${key}`.endsWith(end));
+    return found.map(([, path]) => path);
+  }
+
+  /** Paths of all of them. */
+  get paths(): string[] {
+    return [...this.byPath.values()];
+  }
+
+  /** Whether a file was found by some address. */
+  isUsed(path: string): boolean {
+    return this.read.has(path);
   }
 
   /** Paths of those that nothing was made of. */
   get unused(): string[] {
-    return [...this.byPath.values()].filter((path) => !this.used.has(path));
+    return this.paths.filter((path) => !this.isUsed(path));
   }
 }

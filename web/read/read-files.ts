@@ -6,6 +6,7 @@ import { Companions, sourceOf, type FileSource } from './companions.js';
 import { engineFile } from './engine-file.js';
 import { formatOf, isNamedForEngine, isPackage, modelPaths, type Format } from './format.js';
 import { loaded } from './loading.js';
+import { companionsOf } from './named-files.js';
 import { notice, type ReaderTools, type ReadModel } from './read-model.js';
 import { unreadable } from './unreadable.js';
 
@@ -19,15 +20,18 @@ async function read(
   // Loaded when they are needed: most models are not of these formats.
   if (format === '3mf') {
     const { readThreeMf } = await loaded(() => import('./3mf/read-3mf.js'));
-    const { soup, notices } = readThreeMf(file);
-    return { name, file: engineFile(soup), notices, usual: { up: 'z', unit: 'mm' } };
+    const { soup, ...rest } = readThreeMf(file);
+    const usual = { up: 'z', unit: 'mm' } as const;
+    return { name, file: engineFile(soup), companions: [], usual, ...rest };
   }
   if (format === 'glb' || format === 'gltf') {
     const { readGltf } = await loaded(() => import('./gltf/read-gltf.js'));
-    const { soup, notices } = await readGltf(file, format === 'glb', companions, tools);
-    return { name, file: engineFile(soup), notices, usual: { up: 'y', unit: 'm' } };
+    const { soup, ...rest } = await readGltf(file, format === 'glb', companions, tools);
+    const usual = { up: 'y', unit: 'm' } as const;
+    return { name, file: engineFile(soup), companions: [], usual, ...rest };
   }
-  return { name, file, notices: [], usual: {} };
+  const named = companionsOf(file, (address, base) => companions.find(address, base));
+  return { name, file, looks: null, companions: named, notices: [], usual: {} };
 }
 
 function ignored(files: readonly string[]): Message[] {

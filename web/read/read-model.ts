@@ -1,5 +1,6 @@
 /** What the readers hand over. */
 import type { JobOptions } from '../model/job-options.js';
+import type { LookedFiles } from '../model/looks.js';
 import type { Message } from '../model/message.js';
 import type { ModelFile } from '../model/model-files.js';
 import type { Code, Messages } from '../words/messages.js';
@@ -10,6 +11,10 @@ export interface ReadModel {
   name: string;
   /** For the engine. */
   file: ModelFile;
+  /** Materials and pictures, by the numbers that the file has of them; null if there are none that are known yet. */
+  looks: LookedFiles | null;
+  /** Files beside it that it names, and that only those know how to use who know what the engine reads of it. */
+  companions: ModelFile[];
   /** What is to be told of the files. */
   notices: Message[];
   /** What its format says, where nobody says otherwise. */

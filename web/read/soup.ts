@@ -4,6 +4,16 @@ import { unreadable } from './unreadable.js';
 /** Far above what a search takes, and what the engine has memory for. */
 export const mostTriangles = 4_000_000;
 
+/** How triangles look. */
+export interface PartLooks {
+  /** 2 per vertex: its place in pictures, to the right and up; NaN for one without. Null if none has one. */
+  places: Float32Array | null;
+  /** 3 per vertex: red, green and blue (sRGB). Null if none has a colour of its own. */
+  colours: Uint8Array | null;
+  /** Per triangle: number of its material, -1 for none. Null if none has one. */
+  materials: Int32Array | null;
+}
+
 /** Triangles in coordinates of their own. */
 export interface Part {
   /** 3 per vertex. */
@@ -12,21 +22,34 @@ export interface Part {
   triangles: ArrayLike<number>;
   /** Largest rounding error of a coordinate; 0 for exact ones. */
   error: number;
+  looks?: PartLooks;
 }
+
+const plain: PartLooks = { places: null, colours: null, materials: null };
+
+interface PlacedPart {
+  positions: Float64Array;
+  triangles: ArrayLike<number>;
+  turned: boolean;
+  looks: PartLooks;
+}
+
+/** Numbers that a part has in each list of looks. */
+const lengths: Readonly<Record<keyof PartLooks, (part: PlacedPart) => number>> = {
+  places: ({ positions }) => (2 * positions.length) / 3,
+  colours: ({ positions }) => positions.length,
+  materials: ({ triangles }) => triangles.length / 3,
+};
 
 /** Triangles of a whole model, as its parts are placed in it. Nothing is welded. */
 export class Soup {
-  private readonly parts: {
-    positions: Float64Array;
-    triangles: ArrayLike<number>;
-    turned: boolean;
-  }[] = [];
+  private readonly parts: PlacedPart[] = [];
   private triangles = 0;
   private vertices = 0;
   private largestError = 0;
 
   /** Adds a part; a map that mirrors turns its triangles, so that their outsides stay outside. */
-  add({ positions, triangles, error }: Part, map: Affine): void {
+  add({ positions, triangles, error, looks = plain }: Part, map: Affine): void {
     this.triangles += triangles.length / 3;
     if (this.triangles > mostTriangles) {
       throw unreadable('too-many-triangles', { most: mostTriangles });
@@ -39,7 +62,7 @@ export class Soup {
     }
     this.vertices += positions.length / 3;
     this.largestError = Math.max(this.largestError, error * stretch(map));
-    this.parts.push({ positions: placed, triangles, turned: determinant(map) < 0 });
+    this.parts.push({ positions: placed, triangles, turned: determinant(map) < 0, looks });
   }
 
   get triangleCount(): number {
@@ -73,6 +96,32 @@ export class Soup {
         all[at++] = first + triangles[turned ? i + 1 : i + 2]!;
       }
       first += positions.length / 3;
+    }
+    return all;
+  }
+
+  /** As those of its parts; white where a part has no colours. */
+  looks(): PartLooks {
+    const { vertices, triangles } = this;
+    return {
+      places: this.joined('places', () => new Float32Array(2 * vertices).fill(NaN)),
+      colours: this.joined('colours', () => new Uint8Array(3 * vertices).fill(255)),
+      materials: this.joined('materials', () => new Int32Array(triangles).fill(-1)),
+    };
+  }
+
+  /** The lists of all parts in a row, in one that is filled with what stands for none. */
+  private joined<List extends Float32Array | Uint8Array | Int32Array>(
+    name: keyof PartLooks,
+    make: () => List,
+  ): List | null {
+    if (this.parts.every(({ looks }) => looks[name] === null)) return null;
+    const all = make();
+    let at = 0;
+    for (const part of this.parts) {
+      const values = part.looks[name];
+      if (values) all.set(values, at);
+      at += lengths[name](part);
     }
     return all;
   }

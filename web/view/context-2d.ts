@@ -8,14 +8,23 @@ export interface Canvas2d {
   getContext(kind: '2d', options?: CanvasRenderingContext2DSettings): Context2d | null;
 }
 
-/** A square canvas, in pixels, that is on no page. */
-export function squareContext(size: number): Context2d {
+/** A canvas, in pixels, that is on no page. */
+export function newContext(
+  width: number,
+  height: number,
+  options?: CanvasRenderingContext2DSettings,
+): Context2d {
   // A worker has no document; some browsers have no canvases without one.
-  const canvas =
+  const canvas: Canvas2d =
     typeof document === 'object'
-      ? Object.assign(document.createElement('canvas'), { width: size, height: size })
-      : new OffscreenCanvas(size, size);
-  const context = canvas.getContext('2d', { willReadFrequently: true });
+      ? Object.assign(document.createElement('canvas'), { width, height })
+      : new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d', options);
   if (!context) throw new Error('This browser draws no canvases');
   return context;
+}
+
+/** A square canvas whose pixels are read. */
+export function squareContext(size: number): Context2d {
+  return newContext(size, size, { willReadFrequently: true });
 }

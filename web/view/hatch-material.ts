@@ -1,5 +1,4 @@
 import {
-  Color,
   DataArrayTexture,
   DoubleSide,
   LinearMipmapLinearFilter,
@@ -8,13 +7,11 @@ import {
   RepeatWrapping,
 } from 'three';
 import { hatchInk } from './hatch-tile.js';
+import { leaveInsideBlank } from './paper-inside.js';
 import { hatchPaths } from './part-hatches.js';
 
 /** Pixels along a tile of a hatch. */
 const size = 64;
-
-/** The inside of the paper, which nothing is printed on. */
-const inside = new Color('#f2ebdc');
 
 function hatchTexture(): DataArrayTexture {
   const texture = new DataArrayTexture(hatchInk(size), size, size, hatchPaths.length);
@@ -45,23 +42,21 @@ export class HatchMaterial extends MeshLambertMaterial {
       polygonOffsetUnits: 1,
     });
     this.onBeforeCompile = (shader) => {
+      leaveInsideBlank(shader);
       shader.uniforms['hatches'] = { value: this.hatches };
       shader.uniforms['hatchShare'] = this.share;
-      shader.uniforms['inside'] = { value: inside };
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', `attribute float hatch;\nvarying vec3 vHatch;\n$&`)
         .replace('#include <color_vertex>', `$&\nvHatch = vec3(uv, hatch);`);
       shader.fragmentShader = shader.fragmentShader
         .replace(
           '#include <common>',
-          `uniform sampler2DArray hatches;\nuniform float hatchShare;\nuniform vec3 inside;\n` +
-            `varying vec3 vHatch;\n$&`,
+          `uniform sampler2DArray hatches;\nuniform float hatchShare;\nvarying vec3 vHatch;\n$&`,
         )
         .replace(
           '#include <color_fragment>',
           `$&\nfloat ink = hatchShare * texture(hatches, vHatch).r;\n` +
-            `diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.02), ink);\n` +
-            `if (!gl_FrontFacing) diffuseColor.rgb = inside;`,
+            `diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.02), ink);`,
         );
     };
   }

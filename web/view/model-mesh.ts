@@ -10,6 +10,7 @@ import {
 import { EdgeLines, nextCorner } from './edge-lines.js';
 import { addPaint, paintFaces } from './face-paint.js';
 import { HatchMaterial } from './hatch-material.js';
+import type { Corners } from './looked-mesh.js';
 import { flatMesh } from './model-geometry.js';
 
 /** Lines along borders and cuts. */
@@ -47,6 +48,17 @@ export class ModelMesh {
   /** 3 per corner of the faces; those who write into it call `moved`. */
   get normals(): Float32Array {
     return this.normal.array as Float32Array;
+  }
+
+  /** For others who draw the same faces. */
+  get corners(): Corners {
+    return { position: this.position, normal: this.normal };
+  }
+
+  /** Whether faces and lines are drawn; faces that are not can be pointed at all the same. */
+  draws({ faces, lines }: { faces: boolean; lines: boolean }): void {
+    this.mesh.visible = faces;
+    this.lines.visible = lines;
   }
 
   set hatched(hatched: boolean) {

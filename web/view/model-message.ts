@@ -1,4 +1,6 @@
 import type { Model, Piece } from '../model/job.js';
+import type { Looks } from '../model/looks.js';
+import type { ModelFile } from '../model/model-files.js';
 
 /** A turn by hand around the model. */
 export interface Turn {
@@ -29,6 +31,10 @@ export type ModelMessage =
   | { type: 'point'; x: number; y: number }
   /** Whether hatches tell the parts apart, besides colours. */
   | { type: 'hatched'; hatched: boolean }
+  /** What the looks that come have as pictures. */
+  | { type: 'pictures'; pictures: readonly ModelFile[] }
+  /** How the model that is shown looks by its files; null for the colours of its parts. */
+  | { type: 'looks'; looks: Pick<Looks, 'surface' | 'materials'> | null }
   /** Whether the model turns by itself, until it is turned by hand. */
   | { type: 'turning'; turning: boolean }
   | ({ type: 'turn' } & Turn)

@@ -11,6 +11,7 @@ import type { PictureSize } from './picture-size.js';
 import type { CanvasMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
+import { ModelLooks } from './model-looks.js';
 import { ModelMesh } from './model-mesh.js';
 import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
 import { Orbit, viewHeight } from './orbit.js';
@@ -29,6 +30,7 @@ export class ModelScene {
   private readonly orbit = new Orbit(this.camera);
   private readonly mesh = new ModelMesh();
   private readonly redraw = new Redraw(() => this.draw());
+  private readonly looks = new ModelLooks(this.mesh, () => this.redraw.request());
   private folding: Folding | null = null;
   /** Made when it is first needed: most results are only looked at. */
   private stage: FoldingStage | null = null;
@@ -81,6 +83,12 @@ export class ModelScene {
       case 'hatched':
         this.mesh.hatched = message.hatched;
         break;
+      case 'pictures':
+        this.looks.takePictures(message.pictures);
+        break;
+      case 'looks':
+        this.looks.show(message.looks);
+        break;
       case 'turning':
         this.turnAlone(message.turning && this.turnsAlone);
         break;
@@ -113,6 +121,7 @@ export class ModelScene {
   }
 
   private show({ vertices, faces }: Extract<ModelMessage, { type: 'model' }>): void {
+    this.looks.show(null);
     this.mesh.show(vertices, faces);
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
@@ -172,6 +181,7 @@ export class ModelScene {
   private draw(): void {
     if (!this.visible) return;
     this.fold();
+    this.looks.update(this.time === 1);
     this.renderer.render(this.scene, this.camera);
   }
 }

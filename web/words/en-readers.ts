@@ -76,6 +76,29 @@ function kinds(counts: readonly (readonly [number, string, string?])[]): string 
   return all(found.map(([number, one, many]) => count(number, one, many)));
 }
 
+function missingLooks({ what, files }: Messages['missing-looks']): string {
+  const [is, them] = [choose(files.length, 'is', 'are'), choose(files.length, 'it', 'them')];
+  const names = some(files);
+  const those =
+    what === 'pictures'
+      ? `${choose(files.length, 'the picture', 'the pictures')} ${names}`
+      : `${choose(files.length, 'the file', 'the files')} with the model's colours and pictures, ${names},`;
+  return (
+    `${those} ${is} missing, so those faces stay plain; ` +
+    `choose ${them} together with the model, or choose the whole folder`
+  );
+}
+
+function unreadPictures({ files, kinds }: Messages['unread-pictures']): string {
+  const are = choose(files.length, 'is', 'are');
+  const what =
+    kinds.length > 0
+      ? `${are} of a kind that is not read (${all(kinds)})`
+      : `${are} no ${choose(files.length, 'picture', 'pictures')} that can be read`;
+  const saved = choose(files.length, 'it', 'them');
+  return `${some(files)} ${what}; save ${saved} as PNG or JPEG, and name ${saved} so in the model`;
+}
+
 export const readerMessages = {
   'bad-3mf': bad3mf,
   'bad-archive': badArchive,
@@ -92,6 +115,29 @@ export const readerMessages = {
   'too-many-triangles': ({ most }) =>
     `the model has more than ${figure(most)} triangles, which is more than can be read; ` +
     'simplify it in the program that made it',
+
+  'damaged-looks': () =>
+    'the colours and pictures in the file are damaged: only its shape was read; export it again',
+  'large-pictures': ({ files, most, most_mb, most_pixels }) =>
+    `${some(files)} ${choose(files.length, 'was', 'were')} left out: up to ${figure(most)} pictures of ` +
+    `${figure(most_mb)} MB together can be used, each of ${figure(most_pixels / 1e6, 0)} million pixels at most; ` +
+    `make ${choose(files.length, 'it', 'them')} smaller in a program for pictures`,
+  'lost-looks': ({ count: number }) =>
+    `${count(number, 'colour or picture', 'colours or pictures')} that the model refers to ${choose(number, 'is', 'are')} ` +
+    'not in the file, so those faces stay white; export it again',
+  'missing-looks': missingLooks,
+  'picture-guessed': ({ file }) =>
+    `the model names no picture, so ${shown(file)} was laid on it, the only one beside it`,
+  'simplified-looks': () =>
+    'where the file lays colours or pictures over each other or mixes them, the topmost picture is taken, ' +
+    'or else the main colour',
+  'unknown-materials': ({ names }) =>
+    `the model's ${choose(names.length, 'material', 'materials')} ${some(names)} ${choose(names.length, 'is', 'are')} ` +
+    'in none of its MTL files, so what is made of it stays white',
+  'unread-libraries': ({ files }) =>
+    `${some(files)}, which should describe the model's colours and pictures, ${choose(files.length, 'is', 'are')} damaged ` +
+    'or no MTL file; export the model again',
+  'unread-pictures': unreadPictures,
 
   'archive-choice': ({ file, others }) =>
     `the archive has ${figure(others.length + 1)} models; '${shown(file)}' was taken, and not ${some(others)}`,

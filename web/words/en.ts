@@ -222,8 +222,6 @@ export const english: Table = {
   'large-model': largeModel,
   'colour-numbers': () =>
     'the file gives its faces numbers instead of colours, and does not say which colours these are: they are not printed',
-  'materials-ignored': ({ what }) =>
-    `the model's ${what === 'both' ? 'colours and textures' : what} are not printed: its paper is white`,
   'meets-itself': ({ part }) =>
     `part ${figure(part)} has faces that run through each other in the model, so no folding of it is free of collisions`,
   'no-motion': ({ part }) =>

@@ -187,7 +187,6 @@ export type ThreeMfFault =
 
 /** Parameters by the codes of what is found in TypeScript. */
 export interface OwnMessages {
-  'materials-ignored': { what: 'colours' | 'textures' | 'both' };
   'bad-3mf': { file: string } & ThreeMfFault;
   'bad-archive': { file: string } & ArchiveFault;
   'bad-gltf': { file: string } & GltfFault;
@@ -195,6 +194,16 @@ export interface OwnMessages {
   'reader-not-loaded': None;
   'no-model-in-archive': { file: string; files: string[] };
   'too-many-triangles': { most: number };
+
+  'damaged-looks': None;
+  'large-pictures': { files: string[]; most: number; most_mb: number; most_pixels: number };
+  'lost-looks': Counted;
+  'missing-looks': { what: 'pictures' | 'libraries'; files: string[] };
+  'picture-guessed': { file: string };
+  'simplified-looks': None;
+  'unknown-materials': { names: string[] };
+  'unread-libraries': { files: string[] };
+  'unread-pictures': { files: string[]; kinds: string[] };
 
   'archive-choice': { file: string; others: string[] };
   'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };

@@ -3,6 +3,8 @@ import { identity, type Affine } from '../matrix.js';
 import { TextPrecision } from '../precision.js';
 import { mostTriangles } from '../soup.js';
 import { unreadable } from '../unreadable.js';
+import { PropertyListener, type Properties } from './properties.js';
+import { TriangleProperties, type TriangleProperty } from './triangle-properties.js';
 import { parseXml, type Element, type XmlListener } from './xml.js';
 
 export interface Mesh {
@@ -11,6 +13,7 @@ export interface Mesh {
   /** 3 per triangle. */
   triangles: number[];
   precision: TextPrecision;
+  properties: TriangleProperties;
 }
 
 /** Another object, as a part of one or on the printer's bed. */
@@ -35,8 +38,7 @@ export interface ModelPart {
   /** By their numbers. */
   objects: Map<string, ThreeMfObject>;
   items: Placement[];
-  hasColours: boolean;
-  hasTextures: boolean;
+  properties: Properties;
   /** Extensions that must be known and are not, as the part calls them. */
   unknown: string[];
 }
@@ -59,17 +61,21 @@ const units: Readonly<Record<string, number>> = {
 
 const usualType = 'model';
 
+const none = { group: -1, index: -1 };
+
 /** Takes in the elements of a part. */
 class PartListener implements XmlListener {
+  private readonly looks = new PropertyListener((word) => this.number(word));
   readonly part: ModelPart = {
     unit: 1,
     objects: new Map(),
     items: [],
-    hasColours: false,
-    hasTextures: false,
+    properties: this.looks.properties,
     unknown: [],
   };
   private object: ThreeMfObject | null = null;
+  /** What triangles of the object have that say nothing else; -1 for none. */
+  private usual = none;
 
   constructor(
     private readonly file: string,
@@ -79,8 +85,7 @@ class PartListener implements XmlListener {
 
   open(element: Element): void {
     const { name, uri } = element;
-    if (/^texture2d(group)?$/.test(name)) this.part.hasTextures = true;
-    if (/^(colorgroup|basematerials)$/.test(name)) this.part.hasColours = true;
+    this.looks.open(element);
     if (!uri.startsWith(core)) return;
     if (name === 'vertex') this.vertex(element);
     else if (name === 'triangle') this.triangle(element);
@@ -104,7 +109,13 @@ class PartListener implements XmlListener {
   }
 
   private begin(element: Element): void {
-    const mesh = { positions: [], triangles: [], precision: new TextPrecision() };
+    const mesh = {
+      positions: [],
+      triangles: [],
+      precision: new TextPrecision(),
+      properties: new TriangleProperties(),
+    };
+    this.usual = { group: this.index(element, 'pid'), index: this.index(element, 'pindex') };
     this.object = { type: element.get('type') ?? usualType, mesh, components: [] };
     this.part.objects.set(element.get('id') ?? '', this.object);
   }
@@ -125,9 +136,27 @@ class PartListener implements XmlListener {
       const word = element.get(corner) ?? '';
       triangles?.push(/^\s*\d+\s*$/.test(word) ? Number(word) : this.fail(word));
     }
-    if (triangles && triangles.length > 3 * mostTriangles) {
+    if (!triangles) return;
+    if (triangles.length > 3 * mostTriangles) {
       throw unreadable('too-many-triangles', { most: mostTriangles });
     }
+    const property = this.property(element);
+    if (property.group === -1) return;
+    this.object?.mesh.properties.set(triangles.length / 3 - 1, property);
+  }
+
+  /** What a triangle says, or else its object: the first corner speaks for those that say nothing. */
+  private property(element: Element): TriangleProperty {
+    const first = this.index(element, 'p1');
+    const { group, index } = this.usual;
+    if (first === -1) return { group, corners: [index, index, index] };
+    const [second, third] = [this.index(element, 'p2', first), this.index(element, 'p3', first)];
+    return { group: this.index(element, 'pid', group), corners: [first, second, third] };
+  }
+
+  private index(element: Element, name: string, usual = -1): number {
+    const word = element.get(name);
+    return word === undefined ? usual : this.number(word);
   }
 
   private placement(element: Element): Placement {

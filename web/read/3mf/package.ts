@@ -61,12 +61,10 @@ export class Package {
     return this.xml(settingsFiles[0]!, () => readSlicerSettings(files));
   }
 
-  get looks(): Pick<ModelPart, 'hasColours' | 'hasTextures'> {
-    const parts = [...this.parts.values()];
-    return {
-      hasColours: parts.some(({ hasColours }) => hasColours),
-      hasTextures: parts.some(({ hasTextures }) => hasTextures),
-    };
+  /** A picture by its path; null if it is not there. */
+  picture(path: string): ModelFile | null {
+    const bytes = this.bytesOf(path);
+    return bytes && { name: decoded(path).replace(/^\/+/, ''), bytes };
   }
 
   private bytesOf(path: string): Uint8Array | null {

@@ -1,12 +1,16 @@
-/** Reads 3MF packages: what is to be built, in millimetres, with z up. */
+/** Reads 3MF packages: what is to be built and how it looks, in millimetres, with z up. */
 import type { Message } from '../../model/message.js';
+import type { LookedFiles } from '../../model/looks.js';
 import type { ModelFile } from '../../model/model-files.js';
 import { composed, scaling, type Affine } from '../matrix.js';
+import { Pictures } from '../pictures.js';
 import { notice } from '../read-model.js';
 import { Soup } from '../soup.js';
 import { unreadable } from '../unreadable.js';
+import { lookedMesh } from './looked-mesh.js';
 import type { Mesh, ModelPart, Placement, ThreeMfObject } from './model-part.js';
 import { Package } from './package.js';
+import { PackageLooks } from './package-looks.js';
 import type { Role, SlicerSettings } from './slicer-settings.js';
 
 /** Far more than anyone prints; objects that hold each other many times over would be endless. */
@@ -36,6 +40,8 @@ interface Place {
 /** Gathers what is built. */
 class Build {
   readonly soup = new Soup();
+  readonly pictures = new Pictures();
+  readonly looks: PackageLooks;
   readonly leftOut: LeftOut = { supports: 0, modifiers: 0, negatives: 0, unprinted: 0 };
   private readonly settings: SlicerSettings;
   private placements = 0;
@@ -45,6 +51,7 @@ class Build {
     private readonly start: string,
   ) {
     this.settings = pack.settings;
+    this.looks = new PackageLooks(this.pictures, (path) => pack.picture(path));
   }
 
   run(): void {
@@ -105,21 +112,25 @@ class Build {
         at,
       });
     });
-    const triangles = this.printed(mesh, id, part);
-    if (triangles.length === 0) return;
-    this.soup.add({ positions: mesh.positions, triangles, error: mesh.precision.error }, map);
+    const printed = this.printed(mesh, id, part);
+    if (printed.length === 0) return;
+    const { properties } = this.pack.part(part);
+    const shape = lookedMesh(mesh, printed, mesh.properties, (group, index) =>
+      this.looks.of(part, properties, group, index),
+    );
+    this.soup.add({ ...shape, error: mesh.precision.error }, map);
   }
 
-  /** The triangles of a mesh without those of volumes that are not printed. */
+  /** Numbers of the triangles of a mesh, without those of volumes that are not printed. */
   private printed({ triangles }: Mesh, id: string, part: string): number[] {
+    const all = Array.from({ length: triangles.length / 3 }, (_, triangle) => triangle);
     const volumes = (this.settings.volumes.get(id) ?? []).filter(({ role }) => role !== 'print');
     // Slicers that note volumes keep all objects in the first part.
-    if (volumes.length === 0 || part !== this.start) return triangles;
+    if (volumes.length === 0 || part !== this.start) return all;
     volumes.forEach(({ role }) => this.leave(role));
-    return triangles.filter((_, i) => {
-      const triangle = Math.floor(i / 3);
-      return !volumes.some(({ first, last }) => triangle >= first && triangle <= last);
-    });
+    return all.filter(
+      (triangle) => !volumes.some(({ first, last }) => triangle >= first && triangle <= last),
+    );
   }
 }
 
@@ -132,27 +143,29 @@ function allOf(objects: ReadonlyMap<string, ThreeMfObject>): Placement[] {
   return roots.map((object) => ({ object, path: null, map: scaling(1), isOff: false }));
 }
 
-function noticesOf(pack: Package, { unknown }: ModelPart, leftOut: LeftOut): Message[] {
+function noticesOf({ unknown }: ModelPart, { leftOut, looks, pictures }: Build): Message[] {
   const notices: Message[] = [];
-  const { hasColours, hasTextures } = pack.looks;
-  if (hasColours || hasTextures) {
-    const what = !hasTextures ? 'colours' : !hasColours ? 'textures' : 'both';
-    notices.push(notice('materials-ignored', { what }));
-  }
   if (Object.values(leftOut).some((count) => count > 0)) {
     notices.push(notice('not-for-printing', { ...leftOut }));
   }
   if (unknown.length > 0) notices.push(notice('unknown-extensions', { names: unknown }));
-  return notices;
+  if (looks.isSimplified) notices.push(notice('simplified-looks', {}));
+  if (looks.lost > 0) notices.push(notice('lost-looks', { count: looks.lost }));
+  return [...notices, ...pictures.notices];
 }
 
 /** @throws Unreadable for a package that is damaged, or has nothing to build */
-export function readThreeMf(file: ModelFile): { soup: Soup; notices: Message[] } {
+export function readThreeMf(file: ModelFile): {
+  soup: Soup;
+  notices: Message[];
+  looks: LookedFiles;
+} {
   const pack = new Package(file);
   const start = pack.findStart();
   const first = pack.part(start);
   const build = new Build(pack, start);
   build.run();
   if (build.soup.triangleCount === 0) pack.fail({ what: pack.isSliced ? 'sliced' : 'nothing' });
-  return { soup: build.soup, notices: noticesOf(pack, first, build.leftOut) };
+  const looks = { materials: build.looks.materials, pictures: build.pictures.files };
+  return { soup: build.soup, notices: noticesOf(first, build), looks };
 }

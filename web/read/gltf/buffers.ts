@@ -8,7 +8,13 @@ import { RangeFault } from './range-fault.js';
 
 const dataAddress = /^data:[^,]*?(;base64)?,/i;
 
-function bytesOfData(address: string): Uint8Array {
+/** Whether an address holds its bytes itself. */
+export function isData(address: string): boolean {
+  return dataAddress.test(address);
+}
+
+/** @throws RangeFault for an address that is none of data */
+export function bytesOfData(address: string): Uint8Array {
   const [head, base64] = dataAddress.exec(address) ?? [];
   if (head === undefined) throw new RangeFault();
   const body = decoded(address.slice(head.length));
@@ -51,14 +57,16 @@ export class Buffers {
   }
 
   private named(uri: string): Uint8Array | null {
-    if (dataAddress.test(uri)) return bytesOfData(uri);
+    if (isData(uri)) return bytesOfData(uri);
     const found = this.companions.find(uri);
     if (!found) this.missing.push(decoded(uri));
     return found?.bytes ?? null;
   }
 }
 
-/** Names of the files that a glTF file cannot be read without. */
-export function neededFiles({ buffers = [] }: GLTF.IGLTF): string[] {
-  return buffers.flatMap(({ uri }) => (uri === undefined || dataAddress.test(uri) ? [] : [uri]));
+/** Addresses of the files that a glTF file names: buffers and pictures. */
+export function namedFiles({ buffers = [], images = [] }: GLTF.IGLTF): string[] {
+  return [...buffers, ...images].flatMap(({ uri }) =>
+    uri === undefined || isData(uri) ? [] : [uri],
+  );
 }

@@ -1,15 +1,17 @@
 /**
- * The part of a glTF file that decides its shape. All else is left out before the file is decoded, so that a
- * broken picture or animation, and a buffer that only those need, do no harm.
+ * The part of a glTF file that decides its shape, and where its pictures and colours lie on it. All else is left out
+ * before the file is decoded, so that a broken picture or animation, and a buffer that only those need, do no harm.
  */
 import type { GLTF } from '@gltf-transform/core';
+import { baseColourOf } from './base-colour.js';
 import { sortedExtensions, withKnownNames } from './extensions.js';
 import { mostTriangles } from '../soup.js';
 import { RangeFault } from './range-fault.js';
 
-/** Numbers of all accessors together: above three corners with three numbers for all triangles that are read. */
-const mostNumbers = 20 * mostTriangles;
+/** Numbers of all accessors together: above three corners with nine numbers for all triangles that are read. */
+const mostNumbers = 30 * mostTriangles;
 
+/** What decides the shape. */
 const attribute = /^(?:POSITION|JOINTS_\d+|WEIGHTS_\d+)$/;
 
 const draco = 'KHR_draco_mesh_compression';
@@ -68,13 +70,25 @@ export interface GeometryJson {
   skinAccessors: (number | null)[];
 }
 
+function keptOf(
+  attributes: Record<string, number> | undefined,
+  looks: readonly string[],
+): [string, number][] {
+  return Object.entries(attributes ?? {}).filter(
+    ([name]) => attribute.test(name) || looks.includes(name),
+  );
+}
+
 class Reduction {
   private readonly buffers: Kept<GLTF.IBuffer>;
   private readonly views: Kept<GLTF.IBufferView>;
   private readonly accessors: Kept<GLTF.IAccessor>;
   private numbers = 0;
 
-  constructor(private readonly json: GLTF.IGLTF) {
+  constructor(
+    private readonly json: GLTF.IGLTF,
+    private readonly withLooks: boolean,
+  ) {
     this.buffers = new Kept(json.buffers ?? [], (buffer) => buffer);
     this.views = new Kept(json.bufferViews ?? [], (view) => this.view(withKnownNames(view)));
     this.accessors = new Kept(json.accessors ?? [], (accessor) => this.accessor(accessor));
@@ -115,22 +129,36 @@ class Reduction {
   private primitive(primitive: GLTF.IMeshPrimitive): GLTF.IMeshPrimitive {
     const { mode, indices, targets } = primitive;
     const compressed = primitive.extensions?.[draco] as DracoPrimitive | undefined;
+    const looks = this.looksOf(primitive);
     return {
       ...(mode !== undefined && { mode }),
       ...(indices !== undefined && { indices: this.accessors.of(indices) }),
-      attributes: this.attributes(primitive.attributes),
+      attributes: this.attributes(primitive.attributes, looks),
       ...(targets && { targets: targets.map((target) => this.attributes(target)) }),
-      ...(compressed && { extensions: { [draco]: this.dracoPrimitive(compressed) } }),
+      ...(compressed && { extensions: { [draco]: this.dracoPrimitive(compressed, looks) } }),
     };
   }
 
-  private attributes(attributes: Record<string, number> | undefined): Record<string, number> {
-    const kept = Object.entries(attributes ?? {}).filter(([name]) => attribute.test(name));
+  /** Attributes for how a primitive looks. */
+  private looksOf({ material }: GLTF.IMeshPrimitive): string[] {
+    if (!this.withLooks) return [];
+    const { picture } = baseColourOf(this.json, material);
+    return picture ? ['COLOR_0', picture.places] : ['COLOR_0'];
+  }
+
+  private attributes(
+    attributes: Record<string, number> | undefined,
+    looks: readonly string[] = [],
+  ): Record<string, number> {
+    const kept = keptOf(attributes, looks);
     return Object.fromEntries(kept.map(([name, accessor]) => [name, this.accessors.of(accessor)]));
   }
 
-  private dracoPrimitive({ bufferView, attributes }: DracoPrimitive): DracoPrimitive {
-    const kept = Object.entries(attributes).filter(([name]) => attribute.test(name));
+  private dracoPrimitive(
+    { bufferView, attributes }: DracoPrimitive,
+    looks: readonly string[],
+  ): DracoPrimitive {
+    const kept = keptOf(attributes, looks);
     return { bufferView: this.views.of(bufferView), attributes: Object.fromEntries(kept) };
   }
 
@@ -164,7 +192,10 @@ class Reduction {
   }
 }
 
-/** @throws RangeFault for numbers that lead nowhere, or to far too much */
-export function geometryJson(json: GLTF.IGLTF): GeometryJson {
-  return new Reduction(json).run();
+/**
+ * @param withLooks whether attributes for looks are kept
+ * @throws RangeFault for numbers that lead nowhere, or to far too much
+ */
+export function geometryJson(json: GLTF.IGLTF, withLooks: boolean): GeometryJson {
+  return new Reduction(json, withLooks).run();
 }

@@ -1,19 +1,23 @@
-/** Reads GLB and glTF files: the triangles of the default scene, with y up, in metres. */
-import { Logger, WebIO, type Document, type GLTF } from '@gltf-transform/core';
+/** Reads GLB and glTF files: the triangles of the default scene and how they look, with y up, in metres. */
+import { Logger, WebIO, type Document, type GLTF, type Primitive } from '@gltf-transform/core';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import type { LookedFiles } from '../../model/looks.js';
 import type { ModelFile } from '../../model/model-files.js';
 import type { Message } from '../../model/message.js';
 import type { Companions } from '../companions.js';
 import { loaded } from '../loading.js';
 import { identity, type Affine } from '../matrix.js';
-import type { ReaderTools } from '../read-model.js';
-import { Soup } from '../soup.js';
+import { Pictures } from '../pictures.js';
+import { notice, type ReaderTools } from '../read-model.js';
+import { Soup, type Part } from '../soup.js';
 import { Unreadable } from '../unreadable.js';
 import { Buffers } from './buffers.js';
 import { gltfFault, openContainer, type Container } from './container.js';
 import { dracoModule, dracoStep, type DracoModule } from './draco.js';
 import { geometryExtensions, sortedExtensions } from './extensions.js';
 import { geometryJson, type GeometryJson } from './geometry-json.js';
+import { GltfLooks } from './gltf-looks.js';
+import { Images } from './images.js';
 import { partOf, poseOf, type Leftovers, type Pose } from './mesh-parts.js';
 import { EndlessScene, placedNodes, type PlacedNode } from './scene.js';
 import { gltfNotices } from './unused.js';
@@ -34,11 +38,10 @@ function elementsOf({ accessors = [] }: GLTF.IGLTF): number {
 }
 
 async function decode(
-  { json }: Container,
+  geometry: GeometryJson,
   buffers: Buffers,
   { loadDraco }: ReaderTools,
 ): Promise<Decoded> {
-  const geometry = geometryJson(json);
   const bytes = buffers.all(geometry.buffers);
   const isDraco = geometry.json.extensionsUsed?.includes(draco) ?? false;
   const module = isDraco
@@ -88,6 +91,7 @@ class Scene {
     private readonly json: GLTF.IGLTF,
     private readonly decoded: Decoded,
     private readonly nodes: readonly PlacedNode[],
+    private readonly looks: GltfLooks | null,
   ) {
     this.places = new Map(nodes.map((node) => [node.index, node]));
   }
@@ -110,9 +114,20 @@ class Scene {
     mesh.listPrimitives().forEach((primitive, i) => {
       const step = this.step(definition.primitives[i]!);
       const part = partOf(primitive, { weights: shares, pose, step }, this.leftovers);
-      if (part) this.soup.add(part, map);
-      if (part && pose) ++this.posed;
+      if (!part) return;
+      const { material } = this.json.meshes![index!]!.primitives[i]!;
+      this.soup.add({ ...part, ...this.looksOf(primitive, material, part) }, map);
+      if (pose) ++this.posed;
     });
+  }
+
+  private looksOf(
+    primitive: Primitive,
+    material: number | undefined,
+    { positions, triangles }: Part,
+  ): Pick<Part, 'looks'> {
+    const counts = { vertices: positions.length / 3, triangles: triangles.length / 3 };
+    return this.looks ? { looks: this.looks.of(primitive, material, counts) } : {};
   }
 
   private step(primitive: GLTF.IMeshPrimitive): number {
@@ -141,20 +156,54 @@ function refuseUnknown(file: string, json: GLTF.IGLTF, soup: Soup): void {
   }
 }
 
-async function read(
-  file: ModelFile,
-  container: Container,
-  companions: Companions,
-  tools: ReaderTools,
-): Promise<{ soup: Soup; notices: Message[] }> {
+/** A file with all that is needed to read it. */
+interface Source {
+  file: ModelFile;
+  container: Container;
+  companions: Companions;
+  tools: ReaderTools;
+}
+
+/** What comes of a glTF file. */
+export interface ReadGltf {
+  soup: Soup;
+  notices: Message[];
+  looks: LookedFiles | null;
+}
+
+async function read(source: Source, withLooks: boolean): Promise<ReadGltf> {
+  const { file, container, companions, tools } = source;
   const { json } = container;
   const nodes = placedNodes(json);
-  const decoded = await decode(container, new Buffers(file.name, companions, container), tools);
-  const scene = new Scene(json, decoded, nodes);
+  const buffers = new Buffers(file.name, companions, container);
+  const decoded = await decode(geometryJson(json, withLooks), buffers, tools);
+  const pictures = new Pictures();
+  const looks = withLooks ? new GltfLooks(json, new Images(container, companions, pictures)) : null;
+  const scene = new Scene(json, decoded, nodes, looks);
   scene.gather();
   refuseUnknown(file.name, json, scene.soup);
   const notices = gltfNotices(json, { ...scene.leftovers, posed: scene.posed });
-  return { soup: scene.soup, notices };
+  return {
+    soup: scene.soup,
+    notices: [...notices, ...pictures.notices],
+    looks: looks && { materials: looks.materials, pictures: pictures.files },
+  };
+}
+
+/** A fault of the file's structure, in the libraries or here: numbers that contradict each other. */
+function isStructural(error: unknown): boolean {
+  return !(error instanceof Unreadable) && !(error instanceof EndlessScene);
+}
+
+/** Reads it, and without its looks where these are damaged. */
+async function readWhatIsWhole(source: Source): Promise<ReadGltf> {
+  try {
+    return await read(source, true);
+  } catch (error) {
+    if (!isStructural(error)) throw error;
+    const { notices, ...bare } = await read(source, false);
+    return { ...bare, notices: [...notices, notice('damaged-looks', {})] };
+  }
 }
 
 /** @throws Unreadable for a file that is damaged, lacks others, or holds far too much */
@@ -163,14 +212,12 @@ export async function readGltf(
   isBinary: boolean,
   companions: Companions,
   tools: ReaderTools,
-): Promise<{ soup: Soup; notices: Message[] }> {
+): Promise<ReadGltf> {
   const container = openContainer(file, isBinary);
   try {
-    return await read(file, container, companions, tools);
+    return await readWhatIsWhole({ file, container, companions, tools });
   } catch (error) {
-    if (error instanceof Unreadable) throw error;
     if (error instanceof EndlessScene) throw gltfFault(file.name, { what: 'cycle' });
-    // Whatever else fails, in the libraries or here, fails for numbers that contradict each other.
-    throw gltfFault(file.name, { what: 'structure' });
+    throw isStructural(error) ? gltfFault(file.name, { what: 'structure' }) : error;
   }
 }

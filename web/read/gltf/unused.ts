@@ -2,15 +2,18 @@
 import type { GLTF } from '@gltf-transform/core';
 import type { Message } from '../../model/message.js';
 import { notice } from '../read-model.js';
+import { baseColourOf } from './base-colour.js';
 import { sortedExtensions } from './extensions.js';
 import type { Leftovers } from './mesh-parts.js';
 
-function hasAttribute({ meshes = [] }: GLTF.IGLTF, pattern: RegExp): boolean {
-  return meshes.some(({ primitives }) =>
-    primitives.some(({ attributes }) =>
-      Object.keys(attributes ?? {}).some((name) => pattern.test(name)),
-    ),
-  );
+/** Whether meshes have sets of texture coordinates beyond the first that no picture is laid by. */
+function hasUnusedPlaces(json: GLTF.IGLTF): boolean {
+  const primitives = (json.meshes ?? []).flatMap((mesh) => mesh.primitives);
+  return primitives.some(({ attributes, material }) => {
+    const used = baseColourOf(json, material).picture?.places;
+    const sets = Object.keys(attributes ?? {}).filter((name) => /^TEXCOORD_[1-9]/.test(name));
+    return sets.some((name) => name !== used);
+  });
 }
 
 function morphTargets({ meshes = [] }: GLTF.IGLTF): number {
@@ -24,19 +27,11 @@ function instanced({ nodes = [] }: GLTF.IGLTF): number {
   return nodes.filter(({ extensions }) => extensions?.['EXT_mesh_gpu_instancing']).length;
 }
 
-function looksOf(json: GLTF.IGLTF): Message[] {
-  const hasTextures = (json.textures?.length ?? 0) > 0;
-  const hasColours = hasAttribute(json, /^COLOR_/) || (json.materials?.length ?? 0) > 0;
-  if (!hasTextures && !hasColours) return [];
-  const what = !hasTextures ? 'colours' : !hasColours ? 'textures' : 'both';
-  return [notice('materials-ignored', { what })];
-}
-
 export function gltfNotices(
   json: GLTF.IGLTF,
   { points, lines, posed }: Leftovers & { posed: number },
 ): Message[] {
-  const notices = looksOf(json);
+  const notices: Message[] = [];
   if (points + lines > 0) {
     const count = points + lines;
     notices.push(notice('ignored-elements', { count, points, lines, curves: 0, surfaces: 0 }));
@@ -44,7 +39,7 @@ export function gltfNotices(
   const unused = {
     animations: json.animations?.length ?? 0,
     morphs: morphTargets(json),
-    uvs: hasAttribute(json, /^TEXCOORD_[1-9]/) ? 1 : 0,
+    uvs: hasUnusedPlaces(json) ? 1 : 0,
     cameras: json.cameras?.length ?? 0,
     instances: instanced(json),
   };

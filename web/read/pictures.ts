@@ -1,0 +1,83 @@
+import type { Message } from '../model/message.js';
+import type { ModelFile } from '../model/model-files.js';
+import { pictureHeader, type PictureHeader } from '../model/picture-header.js';
+import { isUsable, pictureKind } from './picture-kind.js';
+import { notice } from './read-model.js';
+
+/** MiB of all pictures together: a few photographs of the largest size that models have. */
+const mostMegabytes = 64;
+
+/** Far more than any model has; each may be a texture of its own on screen. */
+const mostPictures = 256;
+
+/** No screen card takes longer sides. */
+const longestSide = 16_384;
+
+/** Of one picture: drawing it takes several bytes for each. */
+const mostPixels = 2 ** 26;
+
+function isLarge({ width, height }: PictureHeader): boolean {
+  return Math.max(width, height) > longestSide || width * height > mostPixels;
+}
+
+/** The pictures of a model, each once, and what is to be told of those that cannot be used. */
+export class Pictures {
+  /** Those that can be used, as their files hold them. */
+  readonly files: ModelFile[] = [];
+  private readonly numbers = new Map<string, number | null>();
+  private readonly missing = new Set<string>();
+  private readonly unread: { name: string; kind: string }[] = [];
+  private readonly large: string[] = [];
+  private bytes = 0;
+
+  /**
+   * Number of a picture in `files`; null for one that is missing or cannot be used.
+   *
+   * @param key tells pictures apart; `find` is called once for each
+   * @param name as people know it
+   * @param find gets its file; null if it did not come along
+   */
+  add(key: string, name: string, find: () => ModelFile | null): number | null {
+    const known = this.numbers.get(key);
+    if (known !== undefined) return known;
+    const file = find();
+    if (!file) this.missing.add(name);
+    const number = file && this.taken(file);
+    this.numbers.set(key, number);
+    return number;
+  }
+
+  private taken({ name, bytes }: ModelFile): number | null {
+    const kind = pictureKind(bytes);
+    const header = pictureHeader(bytes);
+    if (!isUsable(kind) || !header) {
+      this.unread.push({ name, kind: isUsable(kind) ? '' : kind });
+      return null;
+    }
+    const isTooMuch = this.bytes + bytes.length > mostMegabytes * 2 ** 20;
+    if (isTooMuch || isLarge(header) || this.files.length === mostPictures) {
+      this.large.push(name);
+      return null;
+    }
+    this.bytes += bytes.length;
+    return this.files.push({ name, bytes }) - 1;
+  }
+
+  get notices(): Message[] {
+    const { missing, unread, large } = this;
+    const notices: Message[] = [];
+    if (missing.size > 0) {
+      notices.push(notice('missing-looks', { what: 'pictures', files: [...missing] }));
+    }
+    if (unread.length > 0) {
+      const files = unread.map(({ name }) => name);
+      const kinds = [...new Set(unread.flatMap(({ kind }) => kind || []))];
+      notices.push(notice('unread-pictures', { files, kinds }));
+    }
+    if (large.length > 0) {
+      const most = { most: mostPictures, most_mb: mostMegabytes, most_pixels: mostPixels };
+      notices.push(notice('large-pictures', { files: large, ...most }));
+    }
+    return notices;
+  }
+}

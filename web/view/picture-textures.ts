@@ -1,0 +1,75 @@
+import {
+  CanvasTexture,
+  ClampToEdgeWrapping,
+  MirroredRepeatWrapping,
+  RepeatWrapping,
+  SRGBColorSpace,
+  type Texture,
+  type Wrapping,
+} from 'three';
+import type { Material, Wrap } from '../model/looks.js';
+import type { ModelFile } from '../model/model-files.js';
+import { newContext } from './context-2d.js';
+
+/** Pixels of all pictures together: four bytes each, and a third more for smaller copies. */
+const mostPixels = 2 ** 26;
+
+/** Pixels along the longer side of a picture; more is not seen on a screen. */
+const longestSide = 4096;
+
+const wrappings: Readonly<Record<Wrap, Wrapping>> = {
+  repeat: RepeatWrapping,
+  mirror: MirroredRepeatWrapping,
+  clamp: ClampToEdgeWrapping,
+};
+
+/** A picture on white, as paper has it, with no side longer than that; null for one that is damaged. */
+async function canvasOf({ bytes }: ModelFile, longest: number): Promise<HTMLCanvasElement | null> {
+  try {
+    const bitmap = await createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>]));
+    const share = Math.min(1, longest / Math.max(bitmap.width, bitmap.height));
+    const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.ceil(share * side));
+    const context = newContext(width!, height!);
+    context.fillStyle = 'white';
+    context.fillRect(0, 0, width!, height!);
+    context.drawImage(bitmap, 0, 0, width!, height!);
+    bitmap.close();
+    // The library draws from both kinds of canvases, and declares one.
+    return context.canvas as HTMLCanvasElement;
+  } catch {
+    return null;
+  }
+}
+
+/** The pictures of a model for the graphics card, decoded once. */
+export class PictureTextures {
+  private readonly canvases: Promise<HTMLCanvasElement | null>[];
+  private readonly textures: Texture[] = [];
+
+  constructor(pictures: readonly ModelFile[]) {
+    const longest = Math.min(longestSide, Math.floor(Math.sqrt(mostPixels / pictures.length)));
+    // One after the other: each takes its memory several times while it is decoded.
+    let last: Promise<unknown> = Promise.resolve();
+    this.canvases = pictures.map((picture) => {
+      const canvas = last.then(() => canvasOf(picture, longest));
+      last = canvas;
+      return canvas;
+    });
+  }
+
+  /** The picture of a material; null for one without, or whose picture is damaged. */
+  async of({ picture, wrap }: Material): Promise<Texture | null> {
+    const canvas = picture === null ? null : await this.canvases[picture];
+    if (!canvas) return null;
+    const texture = new CanvasTexture(canvas);
+    texture.colorSpace = SRGBColorSpace;
+    texture.wrapS = wrappings[wrap[0]];
+    texture.wrapT = wrappings[wrap[1]];
+    this.textures.push(texture);
+    return texture;
+  }
+
+  dispose(): void {
+    for (const texture of this.textures) texture.dispose();
+  }
+}
