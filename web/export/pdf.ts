@@ -2,6 +2,8 @@ import {
   beginMarkedContent,
   beginText,
   closePath,
+  concatTransformationMatrix,
+  drawObject,
   Duplex,
   endMarkedContent,
   endText,
@@ -31,16 +33,19 @@ import {
 } from 'pdf-lib';
 import type { LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
+import { isPictured, type GroundShape } from './ground-shape.js';
 import type { Layer } from './layers.js';
 import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf, walksOf } from './outlines.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { inPairs } from './back-page.js';
 import { PdfFonts } from './pdf-fonts.js';
+import { PdfImages } from './pdf-images.js';
 import { PdfLayers } from './pdf-layers.js';
 import { edgeStyle, type PictureShape } from './picture-shape.js';
 import type { Point } from './point.js';
 import { fontsOf, type Print } from './print.js';
+import { rimColour, textRimWidth } from './rims.js';
 import type { PieceDrawing, RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
 import { directionOf, underlineOf, type TextLine } from './text-line.js';
 
@@ -70,7 +75,10 @@ class PageWriter {
     private readonly look: Look,
     /** Of texts as text, or of those whose outlines a pen draws. */
     private readonly fonts: PdfFonts | FontSet,
+    /** Of letters on pictures. */
+    private readonly outlines: FontSet,
     private readonly layers: PdfLayers,
+    private readonly images: PdfImages,
   ) {}
 
   /** One by one: a large sheet has more than a call takes arguments. */
@@ -166,9 +174,37 @@ class PageWriter {
     this.layer('fold-mountain', () => this.lines(mountain, piece.mountains, false));
     this.layer('fold-valley', () => this.lines(valley, piece.valleys, false));
     this.layer('id', () => {
-      for (const text of piece.texts) this.text(text);
+      for (const text of piece.texts) {
+        if (isPictured(piece)) this.textRim(text);
+        this.text(text);
+      }
     });
     this.layer('cut', () => this.lines(cut, piece.cuts, true));
+  }
+
+  /** Nothing around the letters that a pen draws. */
+  private textRim(line: TextLine): void {
+    if (!(this.fonts instanceof PdfFonts)) return;
+    const style = { width: textRimWidth, colour: rimColour, dash: [] };
+    // So wide a line hides that curves are straight.
+    this.lines(style, walksOf(outlinesOf(line, this.outlines), 1), true);
+  }
+
+  private ground(shape: GroundShape): void {
+    if (shape.kind !== 'image') {
+      this.picture(shape);
+      return;
+    }
+    const [[left, bottom], [right, top]] = shape.corners.map((corner) => corner.map(points)) as [
+      Point,
+      Point,
+    ];
+    this.add([
+      pushGraphicsState(),
+      concatTransformationMatrix(right - left, 0, 0, top - bottom, left, bottom),
+      drawObject(this.images.key(this.page, shape.image)),
+      popGraphicsState(),
+    ]);
   }
 
   /** Encloses what is drawn, if anything is. */
@@ -218,6 +254,13 @@ class PageWriter {
   }
 
   write({ pieces, frame, picture = [], registration }: SheetDrawing): void {
+    for (const { letter, ground } of pieces) {
+      this.marked(`ground-${letter}`, () =>
+        this.layer('texture', () => {
+          for (const shape of ground) this.ground(shape);
+        }),
+      );
+    }
     this.marked('picture', () =>
       this.layer('guide', () => {
         for (const shape of picture) this.picture(shape);
@@ -258,6 +301,7 @@ export async function writePdf(
   const set = await fontsOf(print);
   const fonts = machine === 'none' ? await PdfFonts.embed(document, set) : set;
   const layers = new PdfLayers(document);
+  const images = new PdfImages(document);
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
   const preferences = document.catalog.getOrCreateViewerPreferences();
@@ -265,7 +309,7 @@ export async function writePdf(
   if (print.backs.length > 0) preferences.setDuplex(Duplex.DuplexFlipLongEdge);
   for (const sheet of sheets) {
     const page = document.addPage([points(sheet.width), points(sheet.height)]);
-    new PageWriter(page, look, fonts, layers).write(sheet);
+    new PageWriter(page, look, fonts, set, layers, images).write(sheet);
   }
   layers.list();
   return document.save();
