@@ -13,7 +13,7 @@ export const textRimWidth = 0.6;
 export const rimColour = '#ffffff';
 
 function rimsOf(width: number, walks: Point[][], closed: boolean): GroundShape[] {
-  const style = { width: width + 2 * rim, colour: rimColour, dash: [] };
+  const style = { width: Math.round(1e4 * (width + 2 * rim)) / 1e4, colour: rimColour, dash: [] };
   return walks.length > 0 ? [{ kind: 'line', style, walks, closed }] : [];
 }
 
