@@ -233,7 +233,9 @@ async function pixelsOf(page: PDFPageProxy, id: string): Promise<Uint8Array> {
     width: number;
     height: number;
     data: Uint8Array;
-  }>((resolve) => page.objs.get(id, resolve));
+  }>((resolve) => {
+    page.objs.get(id, resolve);
+  });
   if (data.length !== 4 * width * height) throw new Error('an image has no transparency');
   return new Uint8Array(data);
 }

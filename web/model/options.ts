@@ -243,7 +243,7 @@ export const rows = {
     'NAME',
     defaultPrint.machine,
     choice(['none', 'silhouette', 'cricut', 'generic']),
-    'for a cutting machine: lines to cut, score and draw in pure colours, nothing else; none: for scissors',
+    'for a cutting machine: lines to cut, score and draw in pure colours; none: for scissors',
   ),
   dpi: row(
     'N',

@@ -88,7 +88,7 @@ export function printsBacks({ duplex, machine }: PrintOptions): boolean {
 
 /**
  * Whether faces may have the model's looks. Silhouette's machines find the printed sheet by their marks and cut
- * along the lines upon it; Cricut's program takes no file with pictures, and others would burn or plot them.
+ * along the lines upon it; that Cricut's program takes pictures in files is not known, and others would burn them.
  */
 export function printsTexture({ machine, texture }: PrintOptions): boolean {
   return texture !== 'off' && (machine === 'none' || machine === 'silhouette');

@@ -6,7 +6,7 @@ const leafSize = 4;
 export type Vector = readonly [x: number, y: number, z: number];
 
 /** The corners of all faces, 9 coordinates each. */
-function cornersOf({ vertices, faces }: Surface): Float64Array {
+export function cornersOf({ vertices, faces }: Surface): Float64Array {
   return Float64Array.from(
     { length: 3 * faces.length },
     (_, i) => vertices[3 * faces[Math.floor(i / 3)]! + (i % 3)]!,
@@ -83,7 +83,7 @@ export class NearestFace {
   /** Faces in the order of the leaves. */
   private readonly order: Int32Array;
   /** 6 per node: its least and largest coordinates. */
-  private readonly boxes: number[] = [];
+  private readonly boxes: Float64Array;
   /** Per node: where its faces begin and end in `order`, and its second child, 0 for a leaf. */
   private readonly nodes: { from: number; to: number; second: number }[] = [];
   private readonly corners: Float64Array;
@@ -95,7 +95,9 @@ export class NearestFace {
   constructor(surface: Surface) {
     this.corners = cornersOf(surface);
     this.order = Int32Array.from({ length: surface.faces.length / 3 }, (_, face) => face);
-    this.build(0, this.order.length);
+    const boxes: number[] = [];
+    this.build(0, this.order.length, boxes);
+    this.boxes = Float64Array.from(boxes);
   }
 
   /**
@@ -111,11 +113,11 @@ export class NearestFace {
     return this.place.face < 0 ? null : this.place;
   }
 
-  private build(from: number, to: number): void {
+  private build(from: number, to: number, boxes: number[]): void {
     const box = this.boxAround(from, to);
     const node = { from, to, second: 0 };
     this.nodes.push(node);
-    for (const value of box) this.boxes.push(value);
+    for (const value of box) boxes.push(value);
     if (to - from <= leafSize) return;
     const sizes = [0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!);
     const axis = sizes.indexOf(Math.max(...sizes));
@@ -124,9 +126,9 @@ export class NearestFace {
       corners[9 * face + axis]! + corners[9 * face + 3 + axis]! + corners[9 * face + 6 + axis]!;
     this.order.subarray(from, to).sort((one, other) => centre(one) - centre(other) || one - other);
     const middle = (from + to) >> 1;
-    this.build(from, middle);
+    this.build(from, middle, boxes);
     node.second = this.nodes.length;
-    this.build(middle, to);
+    this.build(middle, to, boxes);
   }
 
   private boxAround(from: number, to: number): number[] {
@@ -144,15 +146,13 @@ export class NearestFace {
 
   /** Square of the way from a point to a node's box. */
   private wayTo(node: number, point: Vector): number {
-    let sum = 0;
-    for (let axis = 0; axis < 3; ++axis) {
-      const value = point[axis]!;
-      const least = this.boxes[6 * node + axis]!;
-      const most = this.boxes[6 * node + 3 + axis]!;
-      const way = value < least ? least - value : value > most ? value - most : 0;
-      sum += way * way;
-    }
-    return sum;
+    const { boxes } = this;
+    const [x, y, z] = point;
+    const at = 6 * node;
+    const dx = Math.max(boxes[at]! - x, x - boxes[at + 3]!, 0);
+    const dy = Math.max(boxes[at + 1]! - y, y - boxes[at + 4]!, 0);
+    const dz = Math.max(boxes[at + 2]! - z, z - boxes[at + 5]!, 0);
+    return dx * dx + dy * dy + dz * dz;
   }
 
   private descend(node: number, point: Vector, normal: Vector): void {

@@ -1,5 +1,5 @@
 import type { PaintPlan } from './paint-plan.js';
-import { NearestFace, normalOf } from './nearest-face.js';
+import { cornersOf, NearestFace, normalOf } from './nearest-face.js';
 import { SurfaceLook, type Surface } from './surface-look.js';
 
 /** The colour of a face at shares of its second and third corner; the array is used again. */
@@ -31,14 +31,15 @@ export class SurfaceMap {
   /** What lies nearest on the original, of all that looks the same way. */
   private lookOnOriginal(face: number, original: NearestFace): FaceColour {
     const { colour, model } = this;
-    const { vertices, faces } = model;
     const normal = normalOf(model, face);
+    const corners = cornersOf({ ...model, faces: model.faces.subarray(3 * face, 3 * face + 3) });
     let hint = -1;
     return (b, c) => {
-      const share = [1 - b - c, b, c];
-      const at = (axis: number): number =>
-        share.reduce((sum, part, i) => sum + part * vertices[3 * faces[3 * face + i]! + axis]!, 0);
-      const place = original.find([at(0), at(1), at(2)], normal, hint);
+      const a = 1 - b - c;
+      const x = a * corners[0]! + b * corners[3]! + c * corners[6]!;
+      const y = a * corners[1]! + b * corners[4]! + c * corners[7]!;
+      const z = a * corners[2]! + b * corners[5]! + c * corners[8]!;
+      const place = original.find([x, y, z], normal, hint);
       if (!place) return colour.fill(255);
       hint = place.face;
       this.look.colourAt(place.face, place.b, place.c, colour);
