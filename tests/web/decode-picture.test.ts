@@ -130,6 +130,15 @@ describe('loadPictures', () => {
     ]);
   });
 
+  it('decodes the same pictures once', async () => {
+    const load = (colour: number) =>
+      loadPictures(looksOf([pngOf(2, 2, () => [colour, 0, 0])]), readRenderer);
+    const first = await load(1);
+    expect(await load(1)).toBe(first);
+    expect((await load(2)).pictures[0]!.rgb[0]).toBe(2);
+    expect((await load(1)).pictures).toEqual(first.pictures);
+  });
+
   it('leaves alone what no face shows', async () => {
     const looks = looksOf([red, new Uint8Array(9)]);
     looks.surface.materials = Int32Array.of(0, -1);

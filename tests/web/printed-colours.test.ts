@@ -9,7 +9,7 @@ import { writeSvg } from '../../web/export/svg.js';
 import type { JobResult } from '../../web/model/job.js';
 import type { Machine, PrintOptions } from '../../web/model/print-options.js';
 import { boxAndLidResult, cubeResult } from './fixtures.js';
-import { colouredCube, picturedCube, sideColours } from './looked-cube.js';
+import { colouredCube, materialOf, picturedCube, sideColours } from './looked-cube.js';
 import { readPdf } from './pdf-file.js';
 import { printOf } from './printed.js';
 
@@ -180,6 +180,9 @@ describe('pieces in the colours of the model', () => {
   it('are printed where there are some, unless they are switched off', async () => {
     expect((await drawn(colouredCube(), { texture: 'off' })).has('texture')).toBe(false);
     expect((await drawn(cubeResult())).has('texture')).toBe(false);
+    const white = colouredCube();
+    white.looks!.materials = [materialOf([255, 255, 255])];
+    expect((await drawn(white)).has('texture')).toBe(false);
     expect(await noticesOf(cubeResult(), { texture: 'on' })).toEqual(['no-looks']);
     expect(await noticesOf(cubeResult(), { texture: 'auto' })).toEqual([]);
     expect(await noticesOf(colouredCube(), { texture: 'on' })).toEqual([]);
@@ -224,7 +227,7 @@ describe('pieces in the colours of the model', () => {
     ['cricut', false],
     ['generic', false],
   ] as const)('go to machines that print and cut: %s', async (machine: Machine, isPrinted) => {
-    const groups = await drawn(colouredCube(), { machine, colour: 'part' });
+    const groups = await drawn(colouredCube(), { machine, texture: 'on', colour: 'part' });
     expect(groups.get('texture')?.image?.length ?? 0).toBe(isPrinted ? 1 : 0);
     // A machine would cut along anything else.
     expect(groups.get('texture')?.path).toBeUndefined();
@@ -248,11 +251,14 @@ describe('pieces in the colours of their parts', () => {
     expect([edge!.stroke, edge!['stroke-width']]).toEqual([area!.fill, '1']);
   });
 
-  it('give way to those of the model', async () => {
-    const both = await drawn(colouredCube(), { colour: 'part' });
+  it('give way to those of the model only where these are asked for', async () => {
+    const both = await drawn(colouredCube(), { colour: 'part', texture: 'on' });
     expect(both).toEqual(await drawn(colouredCube()));
-    const parts = await drawn(colouredCube(), { colour: 'part', texture: 'off' });
-    expect(parts).toEqual(await drawn(cubeResult(), { colour: 'part' }));
+    const parts = await drawn(cubeResult(), { colour: 'part' });
+    for (const texture of ['auto', 'off'] as const) {
+      expect(await drawn(colouredCube(), { colour: 'part', texture })).toEqual(parts);
+    }
+    expect(await drawn(cubeResult(), { colour: 'part', texture: 'on' })).toEqual(parts);
   });
 
   it('are in PDF files, too', async () => {

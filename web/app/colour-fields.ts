@@ -39,20 +39,20 @@ export class ColourFields extends Panel {
     const choice = this.colours.value;
     if (choice === this.choiceOf(this.wish)) return { ...this.wish, flapBleed };
     // A later model with colours shall show them, unless they were switched off.
-    const texture = choice === 'model' || !this.hasLooks ? 'auto' : 'off';
+    const texture = choice === 'none' && this.hasLooks ? 'off' : 'auto';
     return { texture, colour: choice === 'part' ? 'part' : 'none', flapBleed };
   }
 
   /** Says what colours come to with the other options. */
   explain(options: PrintOptions): void {
-    const takesColours = printsTexture({ ...options, texture: 'auto' });
+    const takesColours = printsTexture({ ...options, texture: 'on' });
     this.colours.disabled = !takesColours;
     this.bleed.disabled = !takesColours || this.colours.value === 'none';
     this.hint.textContent = this.wordsFor(options, takesColours);
   }
 
-  private choiceOf({ texture, colour }: Wish): Choice {
-    return this.hasLooks && texture !== 'off' ? 'model' : colour;
+  private choiceOf(wish: Wish): Choice {
+    return this.hasLooks && printsTexture({ ...defaultPrint, ...wish }) ? 'model' : wish.colour;
   }
 
   private wordsFor({ machine }: PrintOptions, takesColours: boolean): string {

@@ -255,13 +255,13 @@ export const rows = {
     'on|off|auto',
     defaultPrint.texture,
     choice(['on', 'off', 'auto']),
-    'print faces in the colours and pictures of the model; auto: where it has some',
+    'print faces in the colours and pictures of the model; auto: where it has some, without --colour part',
   ),
   colour: row(
     'NAME',
     defaultPrint.colour,
     choice(['part', 'none']),
-    'part: print each piece in the colour of its part, where faces are not printed as in the model',
+    'part: print each piece in the colour of its part, unless --texture on finds some in the model',
   ),
   'flap-bleed': row(
     'NAME',

@@ -43,9 +43,12 @@ export interface PrintOptions {
   machine: Machine;
   /** Pixels to the inch of PNG files, and of what faces look like. */
   dpi: number;
-  /** Whether faces are printed in the colours and pictures of the model; auto: where it has some. */
+  /**
+   * Whether faces are printed in the colours and pictures of the model; auto: where it has some, and
+   * pieces shall not have the colours of their parts.
+   */
   texture: 'auto' | 'on' | 'off';
-  /** Whether pieces are printed in the colours of their parts, unless they have those of the model. */
+  /** Whether pieces are printed in the colours of their parts, unless those of the model are printed. */
   colour: 'part' | 'none';
   flapBleed: FlapBleed;
 }
@@ -90,8 +93,9 @@ export function printsBacks({ duplex, machine }: PrintOptions): boolean {
  * Whether faces may have the model's looks. Silhouette's machines find the printed sheet by their marks and cut
  * along the lines upon it; that Cricut's program takes pictures in files is not known, and others would burn them.
  */
-export function printsTexture({ machine, texture }: PrintOptions): boolean {
-  return texture !== 'off' && (machine === 'none' || machine === 'silhouette');
+export function printsTexture({ colour, machine, texture }: PrintOptions): boolean {
+  if (machine !== 'none' && machine !== 'silhouette') return false;
+  return texture === 'on' || (texture === 'auto' && colour === 'none');
 }
 
 /** Whether pieces may have the colours of their parts: machines would cut along the edges of areas. */

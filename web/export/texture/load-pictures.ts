@@ -54,14 +54,32 @@ class Decoding {
   }
 }
 
+function isSame(one: ModelFile | null, other: ModelFile | null | undefined): boolean {
+  if (!one || !other) return one === other;
+  if (one.name !== other.name || one.bytes.length !== other.bytes.length) return false;
+  return one.bytes.every((byte, i) => byte === other.bytes[i]);
+}
+
+function areSame(some: readonly (ModelFile | null)[], others: typeof some): boolean {
+  return some.length === others.length && some.every((one, i) => isSame(one, others[i]));
+}
+
+/**
+ * Those that were decoded last: every edit of a model gives a new result with the same pictures, and to compare
+ * them takes less than to decode them.
+ */
+let last: { files: readonly (ModelFile | null)[]; loaded: LoadedPictures } | null = null;
+
 /** Decodes the pictures that faces show. Those that cannot be had are told in the notices. */
 export async function loadPictures(
   looks: Looks,
   loadRenderer: RendererLoader,
 ): Promise<LoadedPictures> {
   const used = usedPictures(looks);
-  const none = looks.pictures.map(() => null);
+  const files = looks.pictures.map((file, i) => (used.has(i) ? file : null));
+  const none = files.map(() => null);
   if (used.size === 0) return { pictures: none, notices: [] };
+  if (last && areSame(files, last.files)) return last.loaded;
   try {
     await startRenderer(loadRenderer);
   } catch {
@@ -69,6 +87,7 @@ export async function loadPictures(
     return { pictures: none, notices: [{ code: 'pictures-not-loaded', params: {} }] };
   }
   const decoding = new Decoding();
-  const pictures = looks.pictures.map((file, i) => (used.has(i) ? decoding.decode(file) : null));
-  return { pictures, notices: decoding.notices };
+  const pictures = files.map((file) => file && decoding.decode(file));
+  last = { files, loaded: { pictures, notices: decoding.notices } };
+  return last.loaded;
 }
