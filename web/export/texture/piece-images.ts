@@ -49,6 +49,8 @@ async function makeImages(
 /** Those of each result as they were asked for last: other changes of a print leave them as they are. */
 const known = new WeakMap<JobResult, { key: string; made: Promise<PieceImages> }>();
 
+const isPassing = ({ code }: Notice): boolean => code === 'pictures-not-loaded';
+
 /** The pieces of a result in the model's colours, of which it must have some. */
 export function pieceImages(
   result: JobResult,
@@ -62,6 +64,7 @@ export function pieceImages(
   const made = makeImages(result, looks, options, loadRenderer);
   known.set(result, { key, made });
   // Another try may succeed.
-  made.catch(() => known.delete(result));
+  const forget = (): boolean => known.delete(result);
+  made.then(({ notices }) => notices.some(isPassing) && forget()).catch(forget);
   return made;
 }
