@@ -21,7 +21,7 @@ interface PicturePlace {
 
 const white: readonly [number, number, number] = [255, 255, 255];
 
-/** Whatever no card would draw either; and so large, whole pixels cannot be counted. */
+/** Places so many pixels beyond a picture are errors of a file; single precision could not tell neighbours apart there. */
 const farthest = 1e9;
 
 /** A face in its plane: the length of its first side, and the third corner along and beside it; mm. */
