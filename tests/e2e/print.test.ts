@@ -64,6 +64,34 @@ test('every field redraws the sheets at once, without another search', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('colours on paper are chosen beside the sheets, and undone', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const hash = await unfold(studio, 'house');
+    const painted = page.locator('.sheet [data-layer="texture"] path').first();
+    const colours = page.getByLabel('Colours on paper');
+    expect(await colours.inputValue()).toBe('none');
+    // The model has none of its own, and says so.
+    expect(await page.locator('#print-colours-model').isDisabled()).toBe(true);
+    await page.getByText('comes without colours').waitFor();
+    await colours.selectOption('part');
+    await painted.waitFor();
+    await page.getByLabel('Coloured of each flap').selectOption('whole');
+    await page.locator('.sheet [data-layer="flap"]').first().waitFor({ state: 'detached' });
+    // Pieces are still chosen by a click.
+    await page.locator('.sheet [data-area="A"]').click();
+    await page.locator('.sheet [data-area="A"][data-selected]').waitFor();
+    await studio.picture('print-4-colours');
+    await page.getByLabel('Who cuts').selectOption('cricut');
+    await painted.waitFor({ state: 'detached' });
+    expect(await colours.isDisabled()).toBe(true);
+    await page.locator('#undo').click();
+    await painted.waitFor();
+    expect(await colours.inputValue()).toBe('part');
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('how lines look is part of the history, and stays for the next run', () =>
   withStudio(async (studio) => {
     const { page } = studio;
@@ -72,7 +100,7 @@ test('how lines look is part of the history, and stays for the next run', () =>
       page.locator(`.sheet [data-layer="cut"] [stroke-width="${width}"]`).first();
     await page.selectOption('#print-style', 'blender');
     await cuts('0.3').waitFor();
-    await page.getByRole('button', { name: 'Undo: change of lines' }).click();
+    await page.getByRole('button', { name: 'Undo: change of look' }).click();
     await cuts('0.3').waitFor({ state: 'detached' });
     expect(await page.locator('#print-style').inputValue()).toBe('foldwright');
     await page.locator('#redo').click();
@@ -103,7 +131,7 @@ test('a cover and steps come with a download when they are ticked, and undo take
     };
     const sheets = await pagesOf();
     await tick.check();
-    const undo = page.getByRole('button', { name: 'Undo: change of lines' });
+    const undo = page.getByRole('button', { name: 'Undo: change of look' });
     await undo.waitFor();
     const all = await pagesOf();
     expect(all.length).toBeGreaterThanOrEqual(sheets.length + 2);
@@ -124,7 +152,7 @@ test('a PDF has folds on the backs of its sheets when that is ticked', () =>
     await unfold(studio, 'house');
     const sheets = await page.locator('#sheets > li').count();
     await page.getByLabel('folds on the back, too').check();
-    await page.getByRole('button', { name: 'Undo: change of lines' }).waitFor();
+    await page.getByRole('button', { name: 'Undo: change of look' }).waitFor();
     const { bytes } = await studio.download('PDF');
     const { pages } = await readPdf(new Uint8Array(bytes));
     expect(pages).toHaveLength(2 * sheets);

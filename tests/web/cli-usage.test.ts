@@ -1,7 +1,6 @@
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { laterRows } from '../../web/model/options.js';
 import { foldwright, inFolder, isBuilt } from './command.js';
 
 /** What the command line refuses before it looks at a model. */
@@ -20,7 +19,6 @@ describe.skipIf(!isBuilt)('the command line', () => {
     for (const name of ['--parts', '--paper', '--report', '--output', '--quiet']) {
       expect(stdout).toContain(name);
     }
-    for (const name of Object.keys(laterRows)) expect(stdout).not.toContain(`--${name} `);
   });
 
   it('tells its version', async () => {
@@ -82,26 +80,15 @@ describe.skipIf(!isBuilt)('the command line', () => {
       ['-o', 'out.png', '--paper', 'A2', '--dpi', '1200'],
       "'out.png': 1200 dots per inch are too many",
     ],
+    [['--texture', 'yes'], "option '--texture': 'yes' is not on or off or auto"],
+    [['--colour', 'face'], "option '--colour': 'face' is not part or none"],
+    [['--flap-bleed', '1'], "option '--flap-bleed': '1' is not none or half or whole"],
     [['--dpi', '71'], "option '--dpi': '71' is not a whole number from 72 to 1200"],
     [['-o', 'out.txt'], "'out.txt': the ending '.txt' is none of .fold, .svg, .pdf"],
     [['-o', 'out'], "'out': the ending '' is none of"],
     [['second.obj'], 'too many arguments'],
   ])('refuses %j in one sentence', async (args, sentence) => {
     expect(await refusal(args)).toContain(sentence);
-  });
-
-  it.each(Object.entries(laterRows))('refuses --%s by name', async (name, { value }) => {
-    const given = value === undefined ? [] : ['7'];
-    const sentence = `option '--${name}' does not exist in this version yet`;
-    expect(await refusal([`--${name}`, ...given])).toContain(sentence);
-  });
-
-  it('accepts later options that ask for what it does anyway', async () => {
-    const args = Object.entries(laterRows).flatMap(([name, { same }]) =>
-      same === undefined ? [] : [`--${name}`, same],
-    );
-    const { status, stderr } = await foldwright(['missing.obj', ...args]);
-    expect([status, stderr]).toEqual([3, 'missing.obj: there is no such file\n']);
   });
 
   it('refuses outputs that cannot be written, before any work', async () => {

@@ -17,7 +17,7 @@ function square([x, y]: Point, side: number, isWindow = false): Point[] {
 
 function pieceOf(letter: string, cuts: Point[][]): PieceDrawing {
   const none = { mountains: [], valleys: [], guides: [], flaps: [], texts: [] };
-  return { letter, cuts, hasTape: false, ...none };
+  return { letter, cuts, hasTape: false, ground: [], ...none };
 }
 
 const lettersOf = (pieces: PieceDrawing[]): string => pieces.map(({ letter }) => letter).join('');

@@ -15,6 +15,9 @@ const own = Object.keys({
   'beyond-page': 0,
   'missing-glyphs': 0,
   'fonts-not-loaded': 0,
+  'no-looks': 0,
+  'pictures-unreadable': 0,
+  'pictures-not-loaded': 0,
   'marks-not-free': 0,
   'cricut-area': 0,
   'missing-names': 0,
@@ -168,6 +171,23 @@ const examples: readonly [KnownMessage, string][] = [
       params: { animations: 3, morphs: 1, uvs: 0, cameras: 0, instances: 0 },
     },
     'not used: 3 animations and 1 morph target',
+  ],
+  [{ code: 'no-looks', params: {} }, 'the model has no colours or pictures that could be printed'],
+  [
+    { code: 'pictures-unreadable', params: { what: 'format', files: ['a.tga'] } },
+    'a.tga is no PNG, JPEG or GIF picture: its faces have the colour of their material',
+  ],
+  [
+    { code: 'pictures-unreadable', params: { what: 'damaged', files: ['a.png', 'b.png'] } },
+    'a.png and b.png are damaged, or nothing can be seen on them: their faces have the colour of their material',
+  ],
+  [
+    { code: 'pictures-unreadable', params: { what: 'large', files: ['a.png'] } },
+    'a.png is too large, save it with fewer pixels: its faces have the colour of their material',
+  ],
+  [
+    { code: 'pictures-not-loaded', params: {} },
+    'what reads pictures could not be loaded: faces have the colours of their materials',
   ],
   [
     { code: 'marks-not-free', params: { pieces: ['A', 'C'], margin_mm: 30 } },

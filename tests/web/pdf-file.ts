@@ -20,8 +20,23 @@ export interface PdfPath {
   points: Point[];
 }
 
+/** A picture as it is painted. */
+export interface PdfImage {
+  layer: string;
+  /** mm from the lower left. */
+  left: number;
+  bottom: number;
+  right: number;
+  top: number;
+  width: number;
+  height: number;
+  /** 4 per dot, rows from above. */
+  rgba: Uint8Array;
+}
+
 export interface PdfPage {
   sheet: SheetFile;
+  images: PdfImage[];
   /** Everything on the page, in the order in which it is painted. */
   paths: PdfPath[];
   texts: SheetText[];
@@ -61,6 +76,8 @@ function walksOf(data: ArrayLike<number>): { points: Point[]; closed: boolean }[
   return walks;
 }
 
+type Transform = [number, number, number, number, number, number];
+
 interface Glyph {
   unicode: string;
   /** In thousandths of the size of the font. */
@@ -71,6 +88,9 @@ interface Glyph {
 class PageReader {
   readonly paths: { path: PdfPath; mark: string; layer: string }[] = [];
   readonly texts: { text: SheetText; mark: string; layer: string }[] = [];
+  readonly images: (Omit<PdfImage, 'rgba'> & { id: string })[] = [];
+  /** Where the unit square lies, if it is moved. */
+  private moved: Transform | null = null;
   private line = { width: 0, dash: [] as number[] };
   private colours = { stroke: '', fill: '' };
   private saved: (typeof this.line)[] = [];
@@ -95,9 +115,14 @@ class PageReader {
         break;
       case OPS.restore:
         this.line = this.saved.pop()!;
+        this.moved = null;
         break;
       case OPS.transform:
-        throw new Error('something is moved, turned or scaled');
+        this.moved = Array.from(values as number[]) as Transform;
+        break;
+      case OPS.paintImageXObject:
+        this.image(values as [string, number, number]);
+        break;
       case OPS.setLineWidth:
         this.line = { ...this.line, width: Number(values[0]) * millimetres };
         break;
@@ -138,7 +163,21 @@ class PageReader {
     }
   }
 
+  private image([id, width, height]: [string, number, number]): void {
+    if (!this.moved) throw new Error('an image has no place');
+    const [a, b, c, d, e, f] = this.moved;
+    if (b !== 0 || c !== 0) throw new Error('an image is turned');
+    const [left, bottom, right, top] = [e, f, e + a, f + d].map((at) => at * millimetres) as [
+      number,
+      number,
+      number,
+      number,
+    ];
+    this.images.push({ id, layer: this.place.layer, left, bottom, right, top, width, height });
+  }
+
   private path(painter: number, data: ArrayLike<number>): void {
+    if (this.moved) throw new Error('a path is moved, turned or scaled');
     const paint = painter === OPS.fill ? 'fill' : 'stroke';
     for (const walk of walksOf(data)) {
       this.paths.push({
@@ -149,6 +188,7 @@ class PageReader {
   }
 
   private text(glyphs: (Glyph | number)[]): void {
+    if (this.moved) throw new Error('a text is moved, turned or scaled');
     const letters = glyphs.filter((glyph) => typeof glyph !== 'number');
     const [cosine, sine, , , x, y] = this.matrix.map(Number);
     const width = (this.size * letters.reduce((sum, glyph) => sum + glyph.width, 0)) / 1000;
@@ -187,6 +227,19 @@ function pieceOf(reader: PageReader, name: string): PieceLines {
   return piece;
 }
 
+/** Waits for a picture to be decoded. */
+async function pixelsOf(page: PDFPageProxy, id: string): Promise<Uint8Array> {
+  const { width, height, data } = await new Promise<{
+    width: number;
+    height: number;
+    data: Uint8Array;
+  }>((resolve) => {
+    page.objs.get(id, resolve);
+  });
+  if (data.length !== 4 * width * height) throw new Error('an image has no transparency');
+  return new Uint8Array(data);
+}
+
 async function readPage(page: PDFPageProxy, nameOf: (id: string) => string): Promise<PdfPage> {
   const { fnArray, argsArray } = await page.getOperatorList();
   const reader = new PageReader(nameOf);
@@ -207,6 +260,10 @@ async function readPage(page: PDFPageProxy, nameOf: (id: string) => string): Pro
     strokes: ofGuide(reader.paths).map(({ path }) => path.points),
     texts: ofGuide(reader.texts).map(({ text }) => text),
   };
+  const images: PdfImage[] = [];
+  for (const { id, ...image } of reader.images) {
+    images.push({ ...image, rgba: await pixelsOf(page, id) });
+  }
   const [, , width, height] = page.view;
   return {
     sheet: {
@@ -216,13 +273,14 @@ async function readPage(page: PDFPageProxy, nameOf: (id: string) => string): Pro
       strips,
       guide,
     },
+    images,
     paths: reader.paths.map(({ path }) => path),
     texts: reader.texts.map(({ text }) => text),
-    layers: new Set([...reader.paths, ...reader.texts].map(({ layer }) => layer)),
+    layers: new Set([...reader.images, ...reader.paths, ...reader.texts].map(({ layer }) => layer)),
   };
 }
 
-/** @throws if anything but straight lines is drawn, or anything is moved after it was drawn */
+/** @throws if anything but straight lines and images is drawn, or lines are moved after they were drawn */
 export async function readPdf(bytes: Uint8Array): Promise<PdfFile> {
   const task = getDocument({ data: bytes.slice(), useSystemFonts: false, verbosity: 0 });
   const document = await task.promise;

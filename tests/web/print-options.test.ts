@@ -67,6 +67,8 @@ describe('print options', () => {
     ['--flap-colour', '#eeeeee', '--flat-fold', '12', '--fold-angles', 'on', '--legend', 'off'],
     ['--assembly', 'on'],
     ['--fold-ticks', 'on', '--duplex', 'on'],
+    ['--texture', 'off', '--colour', 'part', '--flap-bleed', 'whole'],
+    ['--texture', 'on', '--flap-bleed', 'none'],
   ])('can be written down and read again', (...args) => {
     const looks = optionsOf(...args);
     const again = changedSettings(defaultSettings(), lookOptions(looks));
@@ -84,6 +86,9 @@ describe('print options', () => {
     ['--assembly', 'cover', 'is not on or off'],
     ['--duplex', 'long', 'is not on or off'],
     ['--fold-ticks', '3', 'is not on or off'],
+    ['--texture', 'maybe', 'is not on or off or auto'],
+    ['--colour', 'red', 'is not part or none'],
+    ['--flap-bleed', '0.5', 'is not none or half or whole'],
     ['--machine', 'laser', 'is not none or silhouette or cricut or generic'],
     ['--dpi', '1201', 'is not a whole number from 72 to 1200'],
   ])('refuse %s %s', (name, value, sentence) => {

@@ -20,7 +20,7 @@ function sheetWith([x, y]: Point, side: number): SheetDrawing {
   ];
   const none = { mountains: [], valleys: [], guides: [], flaps: [], texts: [] };
   const frame = { strokes: [], texts: [] };
-  const piece = { letter: 'A', cuts: [cut], hasTape: false, ...none };
+  const piece = { letter: 'A', cuts: [cut], hasTape: false, ground: [], ...none };
   return { width: 210, height: 297, pieces: [piece], frame };
 }
 

@@ -203,7 +203,7 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
         [{ kind: 'place', piece: 1, sheet: 1, x_mm: -50, y_mm: 0, turn_deg: 0 }, 'bad-pin'],
         [{ kind: 'paper', options: { parts: 3 } }, 'bad-option'],
         [{ kind: 'paper', options: { paper: 'A9' } }, 'bad-option'],
-        [{ kind: 'print', options: { colour: 'part' } }, 'bad-option'],
+        [{ kind: 'print', options: { colour: 'stripes' } }, 'bad-option'],
         [{ kind: 'assign', faces: [1e6], part: 1 }, 'no-face'],
         [{ kind: 'flap', edge: [0, 0], side: 'both' }, 'bad-option'],
         [{ kind: 'flap', edge, side: 'auto', height_mm: 0.5 }, 'bad-option'],

@@ -59,6 +59,9 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'measured',
   'machine',
   'dpi',
+  'texture',
+  'colour',
+  'flap-bleed',
 ] satisfies OptionName[]);
 
 const nameOf = (key: string): string =>
@@ -84,6 +87,7 @@ function parsed(name: string, value: unknown): unknown {
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
   const { assembly, duplex, lines, flatFold, foldAngles, foldTicks, legend, machine, dpi } = print;
+  const { texture, colour, flapBleed } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -108,6 +112,9 @@ export function lookOptions(print: PrintOptions): Options {
     assembly: assembly ? 'on' : 'off',
     machine,
     dpi,
+    texture,
+    colour,
+    flapBleed,
   };
 }
 

@@ -12,7 +12,7 @@ const words: Readonly<Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name'>
   place: 'moving a piece',
   unpin: 'letting a piece go',
   paper: 'change of paper',
-  print: 'change of lines',
+  print: 'change of look',
 };
 
 /** "part 3", "parts 1 and 2"; parts count from 1. */

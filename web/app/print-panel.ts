@@ -12,6 +12,7 @@ import {
   type PrintStyle,
 } from '../model/print-options.js';
 import { printOptions, type Settings } from '../model/options.js';
+import { ColourFields } from './colour-fields.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -62,6 +63,7 @@ export class PrintPanel extends Panel {
   onChange: () => void = () => undefined;
 
   private readonly panel = this.find('#print', HTMLElement);
+  private readonly colours = new ColourFields(this.place);
   private readonly style = this.find('#print-style', HTMLSelectElement);
   private readonly shaded = this.find('#print-flaps', HTMLInputElement);
   private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
@@ -122,8 +124,12 @@ export class PrintPanel extends Panel {
     return [number(this.across, rulerLength), number(this.up, rulerLength)];
   }
 
-  /** Shows how the sheets of a document look. */
-  fill(settings: Settings): void {
+  /**
+   * Shows how the sheets of a document look.
+   *
+   * @param hasLooks whether the model has colours or pictures
+   */
+  fill(settings: Settings, hasLooks: boolean): void {
     const options = printOptions(settings);
     // The fields are those of a print for scissors: lines for machines are as they are.
     const look = lookOf({ ...options, machine: 'none' });
@@ -138,6 +144,7 @@ export class PrintPanel extends Panel {
     this.legend.checked = options.legend;
     this.assembly.checked = options.assembly;
     this.machine.value = options.machine;
+    this.colours.fill(options, hasLooks);
     this.dpi.value = options.dpi === defaultPrint.dpi ? '' : String(options.dpi);
     this.check();
     this.explain();
@@ -164,6 +171,7 @@ export class PrintPanel extends Panel {
       measured: this.measured,
       machine: machines.find((name) => name === this.machine.value) ?? defaultPrint.machine,
       dpi: number(this.dpi, defaultPrint.dpi),
+      ...this.colours.read(),
     };
   }
 
@@ -228,6 +236,7 @@ export class PrintPanel extends Panel {
       sample.setAttribute('stroke-width', String(lines[kind].width));
       sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
     }
+    this.colours.explain(options);
     this.machineHint.textContent = machineWords[options.machine];
     for (const field of [
       this.style,

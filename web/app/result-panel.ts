@@ -1,3 +1,4 @@
+import { hasLooks } from '../model/has-looks.js';
 import type { Notice } from '../model/job.js';
 import { resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
@@ -135,7 +136,7 @@ export class ResultPanel extends Panel {
     this.shownRun = { run, writer };
     if (isSameLook(settings, changedSettings(settings, this.look))) this.isLookNew = false;
     // What was changed meanwhile is newer than the document.
-    if (!this.isLookNew) this.print.fill(settings);
+    if (!this.isLookNew) this.print.fill(settings, hasLooks(result));
     else void this.redraw();
   }
 

@@ -59,13 +59,22 @@ function printOf(written: Written, options: PrintOptions): Promise<Print> {
   return written.last.print;
 }
 
+/** As sharp as sheets are seen on a page. */
+const previewDpi = 100;
+
+/** The pages that tell how to build the model, and fine pictures, are in files only: a preview does not wait for them. */
+function previewed(options: PrintOptions): PrintOptions {
+  return { ...options, assembly: false, dpi: previewDpi };
+}
+
 type Content = string | ExportedFile | Notice[];
 
 async function write(written: Written | undefined, order: WriterOrder): Promise<Content> {
   if (!written) throw new Error('The result must come first');
-  // The pages that tell how to build the model are in files only: a preview does not wait for them.
-  const assembly = order.type === 'file' && order.options.assembly;
-  const print = await printOf(written, { ...order.options, assembly });
+  const print = await printOf(
+    written,
+    order.type === 'file' ? order.options : previewed(order.options),
+  );
   if (order.type === 'sheet') return writeSvg(print, order.sheet);
   if (order.type === 'notices') return print.notices;
   const { result, name } = written.source;

@@ -6,7 +6,7 @@ import { merge, partName, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
 import { formatOf } from './formats.js';
 import { idleOptions } from './idle-options.js';
-import { laterRows, rows, sizings, type Row, type Settings } from '../model/options.js';
+import { rows, sizings, type Row, type Settings } from '../model/options.js';
 import { BadValue, type Parser } from '../model/option-values.js';
 import { optionWords } from '../words/en-options.js';
 import type { OptionFault } from '../words/messages.js';
@@ -40,10 +40,6 @@ interface Flags extends Partial<EditWords> {
   quiet?: boolean;
 }
 
-function laterError(name: string): Exit {
-  return usageError(`option '--${name}' does not exist in this version yet`);
-}
-
 function optionError(fault: OptionFault): Exit {
   return usageError(optionWords(fault));
 }
@@ -69,10 +65,6 @@ function addRows(program: Command): void {
       .default(row.parse(row.fallback), row.fallback)
       .argParser((text) => parsed(name, row.parse, text));
     program.addOption(option);
-  }
-  for (const [name, { value }] of Object.entries(laterRows)) {
-    const flags = value === undefined ? `--${name}` : `--${name} <${value}>`;
-    program.addOption(new Option(flags).hideHelp());
   }
 }
 
@@ -114,13 +106,6 @@ function describe(): Command {
 /** Commander keeps values under camel-case names; the table has the names that people write. */
 function valueOf(program: Command, name: string): unknown {
   return program.getOptionValue(new Option(`--${name}`).attributeName());
-}
-
-function refuseLater(program: Command): void {
-  for (const [name, { same }] of Object.entries(laterRows)) {
-    const value = valueOf(program, name);
-    if (value !== undefined && value !== same) throw laterError(name);
-  }
 }
 
 /** The rows that somebody wrote, and did not leave as they are. */
@@ -185,7 +170,6 @@ export function parseCommandLine(args: string[]): Commands {
     if (error.exitCode === 0) throw new Exit(exitStatus.done, '');
     throw usageError(error.message.replace(/^error: /, ''));
   }
-  refuseLater(program);
   const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
   const { split: splits = [], merge: merges = [], edits, name = [] } = words;
   const editWords = { split: splits, merge: merges, ...(edits !== undefined && { edits }), name };

@@ -20,6 +20,11 @@ const needsScissors: Need = {
   isMet: ({ machine }) => machine === 'none',
 };
 
+const needsPrinter: Need = {
+  without: "'--machine none' or '--machine silhouette'",
+  isMet: ({ machine }) => machine === 'none' || machine === 'silhouette',
+};
+
 /** An output in one of these formats. */
 function needsOutput(...formats: readonly ExportFormat[]): Need {
   const names = formats.map((format) => format.toUpperCase());
@@ -43,7 +48,10 @@ const needs: Partial<Record<keyof Settings, Need[]>> = {
   'fold-ticks': [needsScissors],
   duplex: [needsScissors, needsOutput('pdf')],
   assembly: [needsOutput('pdf', 'svg', 'png')],
-  dpi: [needsOutput('png')],
+  dpi: [needsOutput('png', 'svg', 'pdf')],
+  texture: [needsPrinter, needsOutput('svg', 'pdf', 'png')],
+  colour: [needsScissors, needsOutput('svg', 'pdf', 'png')],
+  'flap-bleed': [needsFlaps, needsPrinter],
 };
 
 /**

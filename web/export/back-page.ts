@@ -35,6 +35,7 @@ function backOfPiece({ letter, mountains, valleys }: PieceDrawing, turn: Turn): 
     guides: [],
     hasTape: false,
     flaps: [],
+    ground: [],
     texts: [],
   };
 }

@@ -1,4 +1,5 @@
 import { isCalibrated, rulerLength, type PrintOptions } from '../model/print-options.js';
+import type { GroundShape } from './ground-shape.js';
 import type { Point } from './point.js';
 import type { SheetDrawing } from './sheet-drawing.js';
 import type { TextLine } from './text-line.js';
@@ -24,6 +25,10 @@ export function calibrated(
   const at = ([x, y]: Point): Point => [x0 + across * (x - x0), y0 + up * (y - y0)];
   const walk = (points: Point[]): Point[] => points.map(at);
   const line = ([from, to]: [Point, Point]): [Point, Point] => [at(from), at(to)];
+  const shape = (one: GroundShape): GroundShape =>
+    one.kind === 'image'
+      ? { ...one, corners: line(one.corners) }
+      : { ...one, walks: one.walks.map(walk) };
   const texts = (lines: TextLine[]): TextLine[] =>
     lines.map((text) => ({ ...text, at: at(text.at) }));
   return {
@@ -35,6 +40,7 @@ export function calibrated(
       mountains: piece.mountains.map(line),
       valleys: piece.valleys.map(line),
       guides: piece.guides.map(line),
+      ground: piece.ground.map(shape),
       texts: texts(piece.texts),
     })),
     frame: {

@@ -12,7 +12,10 @@ import type { SheetDrawing } from './sheet-drawing.js';
  */
 export const cricutBorder = 13.7;
 
-/** A sheet with nothing on it but what the machine cuts, scores and draws, in the order of cutting. */
+/**
+ * A sheet with nothing on it but what the machine cuts, scores and draws, in the order of cutting, and the
+ * pictures of pieces that are printed before.
+ */
 export function forMachine(sheet: SheetDrawing, machine: Machine): SheetDrawing {
   const { width, height, pieces } = sheet;
   return {

@@ -109,8 +109,12 @@ function onCurve(points: readonly Point[], time: number): Point {
   return left[0]!;
 }
 
-/** Outlines as closed walks of straight lines, for formats without curves. */
-export function walksOf(steps: readonly OutlineStep[]): Point[][] {
+/**
+ * Outlines as closed walks of straight lines, for formats without curves.
+ *
+ * @param pieces of each curve
+ */
+export function walksOf(steps: readonly OutlineStep[], pieces = piecesOfCurve): Point[][] {
   const walks: Point[][] = [];
   for (const { command, points } of steps) {
     if (command === 'M') walks.push([points[0]!]);
@@ -118,7 +122,7 @@ export function walksOf(steps: readonly OutlineStep[]): Point[][] {
     if (command === 'L') walk.push(points[0]!);
     if (command !== 'Q' && command !== 'C') continue;
     const curve = [walk.at(-1)!, ...points];
-    for (let i = 1; i <= piecesOfCurve; ++i) walk.push(onCurve(curve, i / piecesOfCurve));
+    for (let i = 1; i <= pieces; ++i) walk.push(onCurve(curve, i / pieces));
   }
   return walks;
 }

@@ -40,7 +40,8 @@ export class PdfFonts {
 
   private constructor(
     private readonly fonts: PDFFont[],
-    private readonly set: FontSet,
+    /** What they were made of. */
+    readonly set: FontSet,
   ) {}
 
   static async embed(document: PDFDocument, set: FontSet): Promise<PdfFonts> {

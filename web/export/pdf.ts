@@ -1,14 +1,11 @@
 import {
   beginMarkedContent,
   beginText,
-  closePath,
+  concatTransformationMatrix,
+  drawObject,
   Duplex,
   endMarkedContent,
   endText,
-  fill,
-  fillAndStroke,
-  lineTo,
-  moveTo,
   PDFDocument,
   PDFName,
   popGraphicsState,
@@ -16,96 +13,69 @@ import {
   PDFOperatorNames,
   PrintScaling,
   pushGraphicsState,
-  rgb,
-  setDashPattern,
   setFillingColor,
   setFontAndSize,
-  setLineCap,
-  setLineJoin,
-  setLineWidth,
-  setStrokingColor,
   setTextMatrix,
   showText,
-  stroke,
   type PDFPage,
 } from 'pdf-lib';
-import type { LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
+import { isPictured, type GroundShape } from './ground-shape.js';
 import type { Layer } from './layers.js';
 import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf, walksOf } from './outlines.js';
 import { missingBox, missingLine, missingWidth } from './missing-sign.js';
 import { inPairs } from './back-page.js';
 import { PdfFonts } from './pdf-fonts.js';
+import { PdfImages } from './pdf-images.js';
 import { PdfLayers } from './pdf-layers.js';
-import { edgeStyle, type PictureShape } from './picture-shape.js';
+import { colour, paintAreas, paintLines, paintShape, points } from './pdf-paint.js';
 import type { Point } from './point.js';
 import { fontsOf, type Print } from './print.js';
+import { rimColour, textRimWidth } from './rims.js';
 import type { PieceDrawing, RegistrationMarks, SheetDrawing } from './sheet-drawing.js';
 import { directionOf, underlineOf, type TextLine } from './text-line.js';
 
-/** A length in points; a ten-thousandth of a point is far below what any printer resolves. */
-function points(millimetres: number): number {
-  return Math.round((millimetres * 72e4) / 25.4) / 1e4;
-}
-
-function colour(hex: string): ReturnType<typeof rgb> {
-  const channel = (at: number): number => Number.parseInt(hex.slice(at, at + 2), 16) / 255;
-  return rgb(channel(1), channel(3), channel(5));
-}
-
 const black = '#000000';
 
-function path(walk: readonly Point[], closed: boolean): PDFOperator[] {
-  const steps = walk.map(([x, y], i) => (i === 0 ? moveTo : lineTo)(points(x), points(y)));
-  return closed ? [...steps, closePath()] : steps;
+/** What all pages of a document share. */
+interface PageParts {
+  look: Look;
+  /** Of texts as text, or of those whose outlines a pen draws. */
+  fonts: PdfFonts | FontSet;
+  layers: PdfLayers;
+  images: PdfImages;
 }
 
 /** Writes one sheet on its page. */
 class PageWriter {
   private readonly operators: PDFOperator[] = [];
+  private readonly look: Look;
+  private readonly fonts: PageParts['fonts'];
+  private readonly layers: PdfLayers;
+  private readonly images: PdfImages;
 
   constructor(
     private readonly page: PDFPage,
-    private readonly look: Look,
-    /** Of texts as text, or of those whose outlines a pen draws. */
-    private readonly fonts: PdfFonts | FontSet,
-    private readonly layers: PdfLayers,
-  ) {}
+    { look, fonts, layers, images }: PageParts,
+  ) {
+    this.look = look;
+    this.fonts = fonts;
+    this.layers = layers;
+    this.images = images;
+  }
 
   /** One by one: a large sheet has more than a call takes arguments. */
   private add(operators: readonly PDFOperator[]): void {
     for (const operator of operators) this.operators.push(operator);
   }
 
-  /** @param isSharp whether lines end where they end, and have corners; else both are rounded */
-  private lines(
-    style: LineStyle,
-    walks: readonly Point[][],
-    closed: boolean,
-    isSharp = false,
-  ): void {
-    if (walks.length === 0) return;
-    this.add([
-      pushGraphicsState(),
-      setStrokingColor(colour(style.colour)),
-      setLineWidth(points(style.width)),
-      setLineJoin(isSharp ? 0 : 1),
-      setLineCap(isSharp || style.dash.length > 0 ? 0 : 1),
-      setDashPattern(style.dash.map(points), 0),
-      ...walks.flatMap((walk) => [...path(walk, closed), stroke()]),
-      popGraphicsState(),
-    ]);
+  private lines(...what: Parameters<typeof paintLines>): void {
+    this.add(paintLines(...what));
   }
 
   private areas(hex: string, walks: readonly Point[][]): void {
-    if (hex === 'none' || walks.length === 0) return;
-    this.add([
-      pushGraphicsState(),
-      setFillingColor(colour(hex)),
-      ...walks.flatMap((walk) => [...path(walk, true), fill()]),
-      popGraphicsState(),
-    ]);
+    this.add(paintAreas(hex, walks));
   }
 
   private text(line: TextLine): void {
@@ -166,9 +136,37 @@ class PageWriter {
     this.layer('fold-mountain', () => this.lines(mountain, piece.mountains, false));
     this.layer('fold-valley', () => this.lines(valley, piece.valleys, false));
     this.layer('id', () => {
-      for (const text of piece.texts) this.text(text);
+      for (const text of piece.texts) {
+        if (isPictured(piece)) this.textRim(text);
+        this.text(text);
+      }
     });
     this.layer('cut', () => this.lines(cut, piece.cuts, true));
+  }
+
+  /** Nothing around the letters that a pen draws. */
+  private textRim(line: TextLine): void {
+    if (!(this.fonts instanceof PdfFonts)) return;
+    const style = { width: textRimWidth, colour: rimColour, dash: [] };
+    // So wide a line hides that curves are straight.
+    this.lines(style, walksOf(outlinesOf(line, this.fonts.set), 1), true);
+  }
+
+  private ground(shape: GroundShape): void {
+    if (shape.kind !== 'image') {
+      this.add(paintShape(shape));
+      return;
+    }
+    const [[left, bottom], [right, top]] = shape.corners.map((corner) => corner.map(points)) as [
+      Point,
+      Point,
+    ];
+    this.add([
+      pushGraphicsState(),
+      concatTransformationMatrix(right - left, 0, 0, top - bottom, left, bottom),
+      drawObject(this.images.key(this.page, shape.image)),
+      popGraphicsState(),
+    ]);
   }
 
   /** Encloses what is drawn, if anything is. */
@@ -199,28 +197,17 @@ class PageWriter {
     this.lines({ width, colour: black, dash: [] }, corners, false, true);
   }
 
-  /** Areas in one go, or thin white lines would show between neighbours. */
-  private picture(shape: PictureShape): void {
-    if (shape.kind === 'line') {
-      this.lines(shape.style, shape.walks, shape.closed);
-      return;
-    }
-    this.add([
-      pushGraphicsState(),
-      setFillingColor(colour(shape.colour)),
-      setStrokingColor(colour(shape.colour)),
-      setLineWidth(points(edgeStyle(shape.colour).width)),
-      setLineJoin(1),
-      ...shape.walks.flatMap((walk) => path(walk, true)),
-      fillAndStroke(),
-      popGraphicsState(),
-    ]);
-  }
-
   write({ pieces, frame, picture = [], registration }: SheetDrawing): void {
+    for (const { letter, ground } of pieces) {
+      this.marked(`ground-${letter}`, () =>
+        this.layer('texture', () => {
+          for (const shape of ground) this.ground(shape);
+        }),
+      );
+    }
     this.marked('picture', () =>
       this.layer('guide', () => {
-        for (const shape of picture) this.picture(shape);
+        for (const shape of picture) this.add(paintShape(shape));
       }),
     );
     if (registration) this.layer('registration', () => this.registration(registration));
@@ -258,6 +245,7 @@ export async function writePdf(
   const set = await fontsOf(print);
   const fonts = machine === 'none' ? await PdfFonts.embed(document, set) : set;
   const layers = new PdfLayers(document);
+  const parts = { look, fonts, layers, images: new PdfImages(document) };
   document.setTitle(title, { showInWindowTitleBar: true });
   document.setCreator('Foldwright');
   const preferences = document.catalog.getOrCreateViewerPreferences();
@@ -265,7 +253,7 @@ export async function writePdf(
   if (print.backs.length > 0) preferences.setDuplex(Duplex.DuplexFlipLongEdge);
   for (const sheet of sheets) {
     const page = document.addPage([points(sheet.width), points(sheet.height)]);
-    new PageWriter(page, look, fonts, layers).write(sheet);
+    new PageWriter(page, parts).write(sheet);
   }
   layers.list();
   return document.save();

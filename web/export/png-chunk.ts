@@ -2,13 +2,17 @@
 
 const [signatureLength, headerLength] = [8, 25];
 
+/** What each value of a byte does to the remainder. */
+const steps = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let value = byte;
+  for (let bit = 0; bit < 8; ++bit) value = (value >>> 1) ^ (value & 1 ? 0xedb88320 : 0);
+  return value;
+});
+
 /** The remainder that PNG puts behind each chunk (CRC-32 of ISO 3309). */
-function remainder(bytes: Uint8Array): number {
+export function remainder(bytes: Uint8Array): number {
   let value = 0xffffffff;
-  for (const byte of bytes) {
-    value ^= byte;
-    for (let bit = 0; bit < 8; ++bit) value = (value >>> 1) ^ (value & 1 ? 0xedb88320 : 0);
-  }
+  for (const byte of bytes) value = (value >>> 8) ^ steps[(value ^ byte) & 255]!;
   return ~value >>> 0;
 }
 

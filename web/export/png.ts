@@ -1,34 +1,9 @@
-import { initWasm, Resvg } from '@resvg/resvg-wasm';
 import { pixelExcess, pixelSize } from '../model/pixels.js';
 import { BadOption } from '../words/bad-option.js';
 import { withPhysicalSize } from './png-chunk.js';
 import { fontsOf, type Print } from './print.js';
-import type { RendererLoader } from './renderer-loader.js';
+import { renderSvg, startRenderer } from './renderer.js';
 import { drawSvg } from './svg.js';
-
-let ready: Promise<void> | null = null;
-
-/** Starts the renderer once in each thread: it refuses a second time. */
-function start(load: RendererLoader): Promise<void> {
-  ready ??= load().then(initWasm);
-  // Another try may succeed.
-  ready.catch(() => (ready = null));
-  return ready;
-}
-
-function render(svg: string): Uint8Array {
-  const drawing = new Resvg(svg, { background: '#ffffff', font: { loadSystemFonts: false } });
-  try {
-    const image = drawing.render();
-    try {
-      return image.asPng();
-    } finally {
-      image.free();
-    }
-  } finally {
-    drawing.free();
-  }
-}
 
 /**
  * One sheet, counted from 0, as a picture with white paper, which says how large it is: what is drawn
@@ -55,6 +30,7 @@ export async function writePng(print: Print, sheet: number): Promise<Uint8Array>
     },
     machine === 'none' ? 'filled' : 'drawn',
   );
-  await start(loadRenderer);
-  return withPhysicalSize(render(svg), dpi);
+  await startRenderer(loadRenderer);
+  const png = renderSvg(svg, '#ffffff', (image) => image.asPng());
+  return withPhysicalSize(png, dpi);
 }

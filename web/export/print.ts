@@ -1,7 +1,9 @@
-import type { JobResult, Notice } from '../model/job.js';
+import { hasLooks } from '../model/has-looks.js';
+import type { JobResult, Notice, Piece } from '../model/job.js';
 import {
   isCalibrated,
   printsBacks,
+  printsTexture,
   type Machine,
   type PrintOptions,
 } from '../model/print-options.js';
@@ -16,6 +18,8 @@ import { frameSheet } from './sheet-frame.js';
 import { placeLegend } from './legend.js';
 import { lookOf, type Look } from './line-style.js';
 import { forMachine, machineNotices } from './machine.js';
+import { withRims } from './rims.js';
+import type { PieceImage, PieceImages } from './texture/piece-images.js';
 import { drawNamesBeside, drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
 
@@ -65,6 +69,18 @@ export function textsOf(sheets: readonly SheetDrawing[]): string[] {
   );
 }
 
+/** The pieces in the model's colours; none if they are not printed so. */
+async function drawImages(input: PrintInput): Promise<PieceImages> {
+  const { options, result, loadRenderer } = input;
+  const none: PieceImages = { images: new Map(), notices: [] };
+  if (!printsTexture(options)) return none;
+  if (result.looks && hasLooks(result)) {
+    const { pieceImages } = await import('./texture/piece-images.js');
+    return pieceImages(result, result.looks, options, loadRenderer);
+  }
+  return options.texture === 'on' ? { ...none, notices: [{ code: 'no-looks', params: {} }] } : none;
+}
+
 function noteOf(sheet: number, count: number, options: PrintOptions): string {
   const page = `sheet ${sheet + 1} of ${count} · print at 100 %`;
   if (!isCalibrated(options)) return page;
@@ -100,7 +116,10 @@ async function loadFonts(
 }
 
 /** The sheets without their legend, their folds as lines. */
-function drawFronts({ result, title, margin, options }: PrintInput): SheetDrawing[] {
+function drawFronts(
+  { result, title, margin, options }: PrintInput,
+  images: ReadonlyMap<Piece, PieceImage>,
+): SheetDrawing[] {
   const count = result.sheets.length;
   const isTwoSided = printsBacks(options);
   return result.sheets.map(({ width, height }, sheet): SheetDrawing => {
@@ -111,7 +130,7 @@ function drawFronts({ result, title, margin, options }: PrintInput): SheetDrawin
     const names = drawNamesBeside(result, sheet);
     frame.strokes.push(...names.strokes);
     frame.texts.push(...names.texts);
-    return { width, height, pieces: drawPieces(result, sheet, options), frame };
+    return { width, height, pieces: drawPieces(result, sheet, options, images), frame };
   });
 }
 
@@ -140,7 +159,7 @@ function finished(sheet: SheetDrawing, options: PrintOptions): SheetDrawing {
   const { foldTicks, machine } = options;
   if (machine !== 'none') return forMachine(sheet, machine);
   const pieces = foldTicks ? sheet.pieces.map(withFoldTicks) : sheet.pieces;
-  return calibrated({ ...sheet, pieces }, corrections(options));
+  return withRims(calibrated({ ...sheet, pieces }, corrections(options)), lookOf(options));
 }
 
 const pageLookOf = (options: PrintOptions): Look => lookOf({ ...options, machine: 'none' });
@@ -165,11 +184,12 @@ async function drawPages({ margin, options, result, title }: PrintInput): Promis
 export async function preparePrint(input: PrintInput): Promise<Print> {
   const { options, loadFont, loadRenderer } = input;
   const { machine, dpi } = options;
-  const fronts = drawFronts(input);
+  const { images, notices: told } = await drawImages(input);
+  const fronts = drawFronts(input, images);
   const lacksLegend = addLegend(fronts, input);
   const sheets = fronts.map((sheet) => finished(sheet, options));
   const backs = drawBacks(fronts, input).map((back) => calibrated(back, corrections(options)));
-  const notices = [...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
+  const notices = [...told, ...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
   const pages = await drawPages(input);
   const texts = textsOf([...pages, ...sheets, ...backs]);
   const isText = machine === 'none' && texts.every(isPlain);

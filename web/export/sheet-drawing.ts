@@ -1,10 +1,14 @@
 import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
+import type { GroundShape } from './ground-shape.js';
+import { groundOf } from './piece-ground.js';
+import { bareFlap } from './texture/flap-bleed.js';
 import { tellAngles, type AngledFold } from './fold-angles.js';
 import type { SheetFrame } from './sheet-frame.js';
 import type { PictureShape } from './picture-shape.js';
 import type { Point, Segment } from './point.js';
 import { sidesOf } from './polygon.js';
+import type { PieceImage } from './texture/piece-images.js';
 import { centredLine, underlineOf, type TextLine } from './text-line.js';
 
 /**
@@ -22,8 +26,10 @@ export interface PieceDrawing {
   guides: Segment[];
   /** Whether there are such marks. */
   hasTape: boolean;
-  /** Outlines of its flaps. */
+  /** Outlines of its flaps, without what is coloured as the piece is. */
   flaps: Point[][];
+  /** What it is coloured with, from below. */
+  ground: GroundShape[];
   /** Its name, the ids of its cut edges, and the angles of its folds. */
   texts: TextLine[];
 }
@@ -163,6 +169,7 @@ function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing
     guides: [],
     hasTape: false,
     flaps: [],
+    ground: [],
     texts: [lineOf(label)],
   };
 }
@@ -187,7 +194,17 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
     texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
   }
   const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
-  return { letter: piece.name, cuts, mountains, valleys, guides, hasTape, flaps, texts };
+  return {
+    letter: piece.name,
+    cuts,
+    mountains,
+    valleys,
+    guides,
+    hasTape,
+    flaps,
+    ground: [],
+    texts,
+  };
 }
 
 /** The names of pieces on sheet number `sheet` that have no room on their piece, counted from 0. */
@@ -206,13 +223,25 @@ export function drawNamesBeside({ pieces }: JobResult, sheet: number): SheetFram
   return names;
 }
 
-/** The pieces and loose strips on sheet number `sheet`, counted from 0. */
+/**
+ * The pieces and loose strips on sheet number `sheet`, counted from 0.
+ *
+ * @param images of the pieces that are printed in the model's colours
+ */
 export function drawPieces(
   result: JobResult,
   sheet: number,
   options: PrintOptions,
+  images: ReadonlyMap<Piece, PieceImage>,
 ): PieceDrawing[] {
+  const draw = (piece: Piece): PieceDrawing => {
+    const drawing = drawPiece(piece, options);
+    const ground = groundOf(piece, images.get(piece) ?? null, options);
+    if (ground.length === 0) return drawing;
+    const flaps = drawing.flaps.flatMap((walk) => bareFlap(walk, options.flapBleed));
+    return { ...drawing, ground, flaps };
+  };
   const pieces = result.pieces.filter((piece) => piece.sheet === sheet);
   const strips = result.strips.filter((strip) => strip.sheet === sheet);
-  return [...pieces.map((piece) => drawPiece(piece, options)), ...strips.map(drawStrip)];
+  return [...pieces.map(draw), ...strips.map(drawStrip)];
 }

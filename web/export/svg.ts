@@ -3,9 +3,12 @@ import type { FontSet } from './font-set.js';
 import { layers, layerTitles, type Layer } from './layers.js';
 import { guideStyle, leaderStyle, penStyle, type Look } from './line-style.js';
 import { outlinesOf } from './outlines.js';
+import { isPictured, type PlacedImage } from './ground-shape.js';
 import { edgeStyle, type PictureShape } from './picture-shape.js';
+import { base64 } from './texture/base64.js';
 import type { Point, Segment } from './point.js';
 import { isPlain, type Print } from './print.js';
+import { rimColour, textRimWidth } from './rims.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
 import { underlineOf, type TextLine } from './text-line.js';
 
@@ -35,6 +38,14 @@ function strokeOf({ width, colour, dash }: LineStyle, fill = 'none'): string {
     ...(dash.length > 0 && { 'stroke-dasharray': dash.join(' ') }),
   });
 }
+
+/** Letters on pictures have light rims; nothing but these is drawn below them. */
+const textRim = attributes({
+  stroke: rimColour,
+  'stroke-width': textRimWidth,
+  'stroke-linejoin': 'round',
+  'paint-order': 'stroke',
+});
 
 /**
  * What texts become: text where every reader has its letters, or outlines of all letters, either
@@ -78,6 +89,8 @@ class SheetWriter {
   /** What is drawn in a layer; nothing where it is empty. */
   layer(layer: Layer): string[] {
     switch (layer) {
+      case 'texture':
+        return this.grounds();
       case 'registration':
         return this.registration();
       case 'guide':
@@ -92,9 +105,30 @@ class SheetWriter {
         return this.labels();
       case 'cut':
         return this.cuts();
-      default:
-        return [];
     }
+  }
+
+  private grounds(): string[] {
+    return this.drawing.pieces.flatMap(({ letter, ground }) =>
+      ground.map((shape) =>
+        shape.kind === 'image' ? this.image(shape, letter) : this.shape(shape, letter),
+      ),
+    );
+  }
+
+  private image({ corners, image }: PlacedImage, letter: string): string {
+    const [[left, bottom], [right, top]] = corners;
+    const place = attributes({
+      x: decimal(left),
+      y: decimal(this.drawing.height - top),
+      width: decimal(right - left),
+      height: decimal(top - bottom),
+      // A printer's corrections may stretch it.
+      preserveAspectRatio: 'none',
+    });
+    // Programs for drawing know the older name of the address only.
+    const address = `xlink:href="data:image/png;base64,${base64(image.png())}"`;
+    return `<image data-piece="${escaped(letter)}" ${place} ${address}/>`;
   }
 
   private registration(): string[] {
@@ -128,13 +162,13 @@ class SheetWriter {
   }
 
   /** Letters that not every reader has are drawn as what they look like. */
-  private text(line: TextLine, owner: string): string {
+  private text(line: TextLine, owner: string, rim = ''): string {
     if (this.fonts && (this.texts !== 'text' || !isPlain(line.text))) {
       const data = outlinesOf(line, this.fonts)
         .map(({ command, points }) => command + points.map((point) => this.at(point)).join(' '))
         .join('');
       const text = attributes({ 'data-text': escaped(line.text) });
-      return `<path ${owner}${text} ${this.outlinePaint()} d="${data}"/>`;
+      return `<path ${owner}${text} ${this.outlinePaint()}${rim} d="${data}"/>`;
     }
     const [left, top] = this.at(line.at).split(' ');
     const turn = decimal(-line.angle);
@@ -148,11 +182,11 @@ class SheetWriter {
       // About its own place, which stays where x and y say.
       ...(turn !== '0' && { transform: `rotate(${turn} ${left} ${top})` }),
     });
-    return `<text ${owner}${place}>${escaped(line.text)}</text>`;
+    return `<text ${owner}${place}${rim}>${escaped(line.text)}</text>`;
   }
 
-  private label(line: TextLine, owner: string): string[] {
-    const text = this.text(line, owner);
+  private label(line: TextLine, owner: string, rim: string): string[] {
+    const text = this.text(line, owner, rim);
     if (!line.underlined) return [text];
     const { line: segment, width } = underlineOf(line);
     const style =
@@ -163,9 +197,11 @@ class SheetWriter {
   }
 
   private labels(): string[] {
-    return this.drawing.pieces.flatMap(({ letter, texts }) =>
-      texts.flatMap((line) => this.label(line, `data-piece="${escaped(letter)}" `)),
-    );
+    return this.drawing.pieces.flatMap((piece) => {
+      const owner = `data-piece="${escaped(piece.letter)}" `;
+      const rim = isPictured(piece) && this.texts !== 'drawn' ? ` ${textRim}` : '';
+      return piece.texts.flatMap((line) => this.label(line, owner, rim));
+    });
   }
 
   private guide(): string[] {
@@ -189,11 +225,12 @@ class SheetWriter {
     return (this.drawing.picture ?? []).map((shape) => this.shape(shape));
   }
 
-  private shape(shape: PictureShape): string {
+  private shape(shape: PictureShape, letter?: string): string {
     const isLine = shape.kind === 'line';
     const data = shape.walks.map((walk) => this.walk(walk, !isLine || shape.closed)).join('');
     const paint = isLine ? strokeOf(shape.style) : strokeOf(edgeStyle(shape.colour), shape.colour);
-    return `<path ${paint} d="${data}"/>`;
+    const owner = letter === undefined ? '' : `data-piece="${escaped(letter)}" `;
+    return `<path ${owner}${paint} d="${data}"/>`;
   }
 
   private guidePaint(kind: LineKind | 'flap' | undefined): string {
@@ -202,10 +239,13 @@ class SheetWriter {
   }
 }
 
-const namespaces = attributes({
+const namespaces = {
   xmlns: 'http://www.w3.org/2000/svg',
   'xmlns:inkscape': 'http://www.inkscape.org/namespaces/inkscape',
-});
+};
+
+/** Of the addresses of images. */
+const imageNamespace = { 'xmlns:xlink': 'http://www.w3.org/1999/xlink' };
 
 /** A group that Inkscape lists as a layer by its title; nothing if it is empty. */
 function group(id: Layer, content: string[]): string[] {
@@ -227,9 +267,10 @@ export function drawSvg(
   texts: TextForm,
 ): string {
   const writer = new SheetWriter(sheets[sheet]!, look, fonts, texts);
+  const spaces = { ...namespaces, ...(sheets[sheet]!.pieces.some(isPictured) && imageNamespace) };
   return [
     '<?xml version="1.0" encoding="UTF-8"?>',
-    `<svg ${namespaces} ${attributes(size)}>`,
+    `<svg ${attributes({ ...spaces, ...size })}>`,
     ...layers.flatMap((layer) => group(layer, writer.layer(layer))),
     '</svg>',
     '',

@@ -243,31 +243,36 @@ export const rows = {
     'NAME',
     defaultPrint.machine,
     choice(['none', 'silhouette', 'cricut', 'generic']),
-    'for a cutting machine: lines to cut, score and draw in pure colours, nothing else; none: for scissors',
+    'for a cutting machine: lines to cut, score and draw in pure colours; none: for scissors',
   ),
   dpi: row(
     'N',
     defaultPrint.dpi,
     whole(dpiRange.least, dpiRange.most),
-    'pixels to the inch of PNG files',
+    'pixels to the inch of PNG files, and of the colours and pictures of the model in all files',
+  ),
+  texture: row(
+    'on|off|auto',
+    defaultPrint.texture,
+    choice(['on', 'off', 'auto']),
+    'print faces in the colours and pictures of the model; auto: where it has some, without --colour part',
+  ),
+  colour: row(
+    'NAME',
+    defaultPrint.colour,
+    choice(['part', 'none']),
+    'part: print each piece in the colour of its part, unless --texture on finds some in the model',
+  ),
+  'flap-bleed': row(
+    'NAME',
+    defaultPrint.flapBleed,
+    choice(['none', 'half', 'whole']),
+    'how much of a flap gets the colours of its face: none, half or whole',
   ),
 } satisfies Record<string, Row<unknown>>;
 
 export type Settings = {
   [Name in keyof typeof rows]: ReturnType<(typeof rows)[Name]['parse']>;
-};
-
-/** An option of a later version. */
-export interface LaterRow {
-  /** How its value is written; none for a switch. */
-  value?: string;
-  /** The value that asks for what this version does anyway, and is accepted. */
-  same?: string;
-}
-
-export const laterRows: Record<string, LaterRow> = {
-  texture: {},
-  colour: { value: 'NAME', same: 'none' },
 };
 
 /** The settings as a person would write them, by the names of the options. */
@@ -331,6 +336,9 @@ export function printOptions(settings: Settings): PrintOptions {
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
     machine: settings.machine,
     dpi: settings.dpi,
+    texture: settings.texture,
+    colour: settings.colour,
+    flapBleed: settings['flap-bleed'],
   };
 }
 

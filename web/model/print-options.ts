@@ -17,6 +17,9 @@ export type PrintStyle = 'foldwright' | 'pepakura' | 'blender';
 /** Who cuts: a person with scissors, or a cutting machine with the program that comes with it. */
 export type Machine = 'none' | 'silhouette' | 'cricut' | 'generic';
 
+/** How much of a flap is coloured as the face that it hangs at. */
+export type FlapBleed = 'none' | 'half' | 'whole';
+
 export interface PrintOptions {
   style: PrintStyle;
   /** What differs from the style. */
@@ -38,8 +41,16 @@ export interface PrintOptions {
   /** What the rulers of 50 mm measure on paper, across and up, when nothing is corrected. */
   measured: readonly [across: number, up: number];
   machine: Machine;
-  /** Pixels to the inch of pictures. */
+  /** Pixels to the inch of PNG files, and of what faces look like. */
   dpi: number;
+  /**
+   * Whether faces are printed in the colours and pictures of the model; auto: where it has some, and
+   * pieces shall not have the colours of their parts.
+   */
+  texture: 'auto' | 'on' | 'off';
+  /** Whether pieces are printed in the colours of their parts, unless those of the model are printed. */
+  colour: 'part' | 'none';
+  flapBleed: FlapBleed;
 }
 
 /** Nominal length of the rulers; mm. */
@@ -63,6 +74,9 @@ export const defaultPrint: Readonly<PrintOptions> = {
   measured: [rulerLength, rulerLength],
   machine: 'none',
   dpi: 300,
+  texture: 'auto',
+  colour: 'none',
+  flapBleed: 'half',
 };
 
 /** Whether sheets are corrected for a printer. Machines cut true to size, whatever printers do. */
@@ -73,4 +87,18 @@ export function isCalibrated({ machine, measured }: PrintOptions): boolean {
 /** Whether sheets are printed on both sides. */
 export function printsBacks({ duplex, machine }: PrintOptions): boolean {
   return duplex && machine === 'none';
+}
+
+/**
+ * Whether faces may have the model's looks. Silhouette's machines find the printed sheet by their marks and cut
+ * along the lines upon it; that Cricut's program takes pictures in files is not known, and others would burn them.
+ */
+export function printsTexture({ colour, machine, texture }: PrintOptions): boolean {
+  if (machine !== 'none' && machine !== 'silhouette') return false;
+  return texture === 'on' || (texture === 'auto' && colour === 'none');
+}
+
+/** Whether pieces may have the colours of their parts: machines would cut along the edges of areas. */
+export function printsPartColours({ machine, colour }: PrintOptions): boolean {
+  return colour === 'part' && machine === 'none';
 }

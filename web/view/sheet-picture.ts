@@ -35,17 +35,33 @@ function hatchPattern(id: string, hatch: number): SVGElement {
   return pattern;
 }
 
+/** What is clicked of a piece that is printed in colours; a style may veil it. */
+function veil(d: string, letter: string): SVGElement {
+  return shape('path', {
+    d,
+    fill: '#ffffff',
+    'fill-opacity': 0,
+    class: 'veil',
+    'data-area': letter,
+  });
+}
+
 /**
  * Paints each piece below all lines, along its own cut line: its colour, and over it its hatch,
- * which a style may hide.
+ * which a style may hide. On sheets that are printed in colours it paints nothing.
  */
 function paintPieces(svg: SVGSVGElement, paints: ReadonlyMap<string, PiecePaint>): void {
   const ground = shape('g', {});
+  const printed = svg.querySelector('#texture');
   for (const cut of svg.querySelectorAll<SVGPathElement>('#cut > [data-piece]')) {
     const letter = cut.dataset['piece'] ?? '';
     const paint = paints.get(letter);
     if (!paint) continue;
     const d = cut.getAttribute('d') ?? '';
+    if (printed) {
+      ground.append(veil(d, letter));
+      continue;
+    }
     // Names may hold what an address must not.
     const id = `hatch-${letter.replace(/[^A-Za-z0-9]/g, (sign) => `_${sign.charCodeAt(0)}`)}`;
     ground.append(
@@ -54,7 +70,8 @@ function paintPieces(svg: SVGSVGElement, paints: ReadonlyMap<string, PiecePaint>
       shape('path', { d, fill: `url(#${id})`, class: 'hatch' }),
     );
   }
-  svg.prepend(ground);
+  if (printed) printed.after(ground);
+  else svg.prepend(ground);
 }
 
 /**

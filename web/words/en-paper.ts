@@ -1,6 +1,6 @@
 /** English phrases for what is told of sheets before they are printed: what they lack, and what is hard to build. */
 import type { Messages, Table } from './messages.js';
-import { choose, count, figure, percentage, pieces } from './numbers.js';
+import { choose, count, figure, percentage, pieces, some } from './numbers.js';
 
 /** Why seams have no flap. */
 const misses = {
@@ -21,6 +21,23 @@ function missingFlaps(params: Messages['missing-flaps']): string {
     `no flap on ${count(params.count, 'seam')} of ${pieces(params.pieces)}: ${reasons}. ` +
     `That is ${percentage(params.percent)} of the length of all seams; ${strips}`
   );
+}
+
+/** Why pictures are not printed, and what helps. */
+const pictureFaults = {
+  format: ['is no PNG, JPEG or GIF picture', 'are no PNG, JPEG or GIF pictures'],
+  damaged: [
+    'is damaged, or nothing can be seen on it',
+    'are damaged, or nothing can be seen on them',
+  ],
+  large: ['is too large, save it with fewer pixels', 'are too large, save them with fewer pixels'],
+} as const;
+
+function picturesUnreadable({ what, files }: Messages['pictures-unreadable']): string {
+  const [one, many] = pictureFaults[what];
+  const fault = choose(files.length, one, many);
+  const whose = choose(files.length, 'its', 'their');
+  return `${some(files)} ${fault}: ${whose} faces have the colour of their material`;
 }
 
 /** So many numbers are looked for one by one; of more it is told where most of them are. */
@@ -56,6 +73,10 @@ function shortSeams({ median_mm, faces, ...size }: Messages['short-seams']): str
 }
 
 export const paperMessages = {
+  'no-looks': () => 'the model has no colours or pictures that could be printed',
+  'pictures-unreadable': picturesUnreadable,
+  'pictures-not-loaded': () =>
+    'what reads pictures could not be loaded: faces have the colours of their materials',
   'missing-names': ({ pieces: names }) =>
     `no room for ${choose(names.length, 'its name', 'their names')} on ${pieces(names)}; short names need less`,
   'missing-flaps': missingFlaps,

@@ -226,6 +226,9 @@ export interface OwnMessages {
   'beyond-page': { by_mm: number };
   'missing-glyphs': { letters: string[] };
   'fonts-not-loaded': None;
+  'no-looks': None;
+  'pictures-unreadable': { what: 'format' | 'damaged' | 'large'; files: string[] };
+  'pictures-not-loaded': None;
   'marks-not-free': { pieces: string[]; margin_mm: number };
   'missing-names': { pieces: string[] };
   'missing-flaps': Counted & {

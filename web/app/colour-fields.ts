@@ -1,0 +1,65 @@
+import type { FlapBleed, PrintOptions } from '../model/print-options.js';
+import { defaultPrint, printsTexture } from '../model/print-options.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
+
+/** What faces are printed in, in one choice. */
+type Choice = 'model' | 'part' | 'none';
+
+type Wish = Pick<PrintOptions, 'texture' | 'colour'>;
+
+const bleeds: readonly FlapBleed[] = ['none', 'half', 'whole'];
+
+/** The fields for colours on paper. */
+export class ColourFields extends Panel {
+  private readonly colours = this.find('#print-colours', HTMLSelectElement);
+  private readonly ofModel = this.find('#print-colours-model', HTMLOptionElement);
+  private readonly bleed = this.find('#print-flap-bleed', HTMLSelectElement);
+  private readonly hint = this.find('#print-colours-hint', HTMLElement);
+  /** What the document says, for as long as the choice is the one that shows it. */
+  private wish: Wish = defaultPrint;
+  private hasLooks = false;
+
+  constructor(place: StudioPlace) {
+    super(place);
+    this.fill(defaultPrint, false);
+  }
+
+  /** @param hasLooks whether the model has colours or pictures */
+  fill({ texture, colour, flapBleed }: PrintOptions, hasLooks: boolean): void {
+    this.wish = { texture, colour };
+    this.hasLooks = hasLooks;
+    this.ofModel.disabled = !hasLooks;
+    this.colours.value = this.choiceOf(this.wish);
+    this.bleed.value = flapBleed;
+  }
+
+  read(): Wish & Pick<PrintOptions, 'flapBleed'> {
+    const flapBleed = bleeds.find((name) => name === this.bleed.value) ?? defaultPrint.flapBleed;
+    const choice = this.colours.value;
+    if (choice === this.choiceOf(this.wish)) return { ...this.wish, flapBleed };
+    // A later model with colours shall show them, unless they were switched off.
+    const texture = choice === 'none' && this.hasLooks ? 'off' : 'auto';
+    return { texture, colour: choice === 'part' ? 'part' : 'none', flapBleed };
+  }
+
+  /** Says what colours come to with the other options. */
+  explain(options: PrintOptions): void {
+    const takesColours = printsTexture({ ...options, texture: 'on' });
+    this.colours.disabled = !takesColours;
+    this.bleed.disabled = !takesColours || this.colours.value === 'none';
+    this.hint.textContent = this.wordsFor(options, takesColours);
+  }
+
+  private choiceOf(wish: Wish): Choice {
+    return this.hasLooks && printsTexture({ ...defaultPrint, ...wish }) ? 'model' : wish.colour;
+  }
+
+  private wordsFor({ machine }: PrintOptions, takesColours: boolean): string {
+    if (!takesColours) return 'This machine gets lines only.';
+    if (machine === 'silhouette' && this.colours.value === 'part') {
+      return 'This machine would cut around these colours, so they are left out.';
+    }
+    return this.hasLooks ? '' : 'This model comes without colours of its own.';
+  }
+}

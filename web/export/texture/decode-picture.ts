@@ -1,0 +1,61 @@
+import { renderSvg } from '../renderer.js';
+import { base64 } from './base64.js';
+import { pictureHeader, type PictureHeader } from './picture-header.js';
+import type { Raster } from './raster.js';
+
+/** Why a picture is not decoded. */
+export type PictureFault = 'format' | 'damaged' | 'large';
+
+/** No screen card takes longer sides, so no picture for a model has them. */
+const longestSide = 16_384;
+/** While one is decoded it takes about twelve bytes for each pixel, and browsers give a few GB. */
+const mostPixels = 2 ** 26;
+/** More than so many pixels without compression. */
+const mostBytes = 2 ** 28;
+
+/** The picture alone, pixel by pixel. */
+function drawingOf({ kind, width, height }: PictureHeader, bytes: Uint8Array): string {
+  const size = `width="${width}" height="${height}"`;
+  const image = `<image ${size} image-rendering="optimizeSpeed" href="data:image/${kind};base64,${base64(bytes)}"/>`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" ${size}>${image}</svg>`;
+}
+
+/** Pixels before white. Colours are multiplied by what they cover, as the renderer has them. */
+function beforeWhite(rgba: Uint8Array): Uint8Array {
+  const rgb = new Uint8Array((rgba.length / 4) * 3);
+  for (let from = 0, to = 0; from < rgba.length; from += 4) {
+    const white = 255 - rgba[from + 3]!;
+    rgb[to++] = rgba[from]! + white;
+    rgb[to++] = rgba[from + 1]! + white;
+    rgb[to++] = rgba[from + 2]! + white;
+  }
+  return rgb;
+}
+
+/** What a picture's header says, or why it is not decoded. */
+export function checkPicture(bytes: Uint8Array): PictureHeader | PictureFault {
+  const header = pictureHeader(bytes);
+  if (!header) return 'format';
+  const { width, height } = header;
+  if (width === 0 || height === 0) return 'damaged';
+  const isLarge = Math.max(width, height) > longestSide || width * height > mostPixels;
+  return isLarge || bytes.length > mostBytes ? 'large' : header;
+}
+
+/**
+ * Decodes a picture with the renderer, which must have been started: the same pixels in node and in
+ * browsers. Of animations the first picture; what is transparent gets white behind it.
+ *
+ * @returns null for a picture that is damaged, or of which nothing can be seen
+ */
+export function decodePicture(header: PictureHeader, bytes: Uint8Array): Raster | null {
+  const { width, height } = header;
+  try {
+    const rgba = renderSvg(drawingOf(header, bytes), undefined, ({ pixels }) => pixels);
+    // The renderer leaves out what it cannot read.
+    if (rgba.every((value) => value === 0)) return null;
+    return { width, height, rgb: beforeWhite(rgba) };
+  } catch {
+    return null;
+  }
+}

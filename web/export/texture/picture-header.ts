@@ -1,0 +1,67 @@
+/** What the first bytes of a picture's file say of it. */
+
+/** Kinds of pictures that are decoded. */
+export type PictureKind = 'png' | 'jpeg' | 'gif';
+
+export interface PictureHeader {
+  kind: PictureKind;
+  /** Pixels. */
+  width: number;
+  height: number;
+}
+
+function starts(bytes: Uint8Array, with_: readonly number[]): boolean {
+  return with_.every((byte, i) => bytes[i] === byte);
+}
+
+const pngSignature = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+const jpegSignature = [0xff, 0xd8, 0xff];
+const gifSignature = [0x47, 0x49, 0x46, 0x38];
+
+function viewOf(bytes: Uint8Array): DataView {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+function pngHeader(bytes: Uint8Array): PictureHeader | null {
+  if (bytes.length < 24) return null;
+  const view = viewOf(bytes);
+  return { kind: 'png', width: view.getUint32(16), height: view.getUint32(20) };
+}
+
+function gifHeader(bytes: Uint8Array): PictureHeader | null {
+  if (bytes.length < 10) return null;
+  const view = viewOf(bytes);
+  return { kind: 'gif', width: view.getUint16(6, true), height: view.getUint16(8, true) };
+}
+
+/** Whether a marker begins a frame; three of that range begin tables. */
+function isFrame(marker: number): boolean {
+  return marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
+}
+
+/** Segment by segment, each with its length, to the one that begins the frame. */
+function jpegHeader(bytes: Uint8Array): PictureHeader | null {
+  const view = viewOf(bytes);
+  let at = 2;
+  while (at + 9 <= bytes.length) {
+    // Any number of these bytes may stand before a marker.
+    if (bytes[at] !== 0xff) return null;
+    const marker = bytes[at + 1]!;
+    if (marker === 0xff) {
+      at += 1;
+    } else if (isFrame(marker)) {
+      return { kind: 'jpeg', height: view.getUint16(at + 5), width: view.getUint16(at + 7) };
+    } else {
+      at += 2 + view.getUint16(at + 2);
+    }
+  }
+  return null;
+}
+
+/** Kind and size of a picture; null if it is none of these kinds, or ends before it says its size. */
+export function pictureHeader(bytes: Uint8Array): PictureHeader | null {
+  if (starts(bytes, pngSignature)) return pngHeader(bytes);
+  if (starts(bytes, jpegSignature)) return jpegHeader(bytes);
+  if (starts(bytes, gifSignature)) return gifHeader(bytes);
+  return null;
+}
