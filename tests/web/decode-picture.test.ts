@@ -2,7 +2,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { startRenderer } from '../../web/export/renderer.js';
 import { checkPicture, decodePicture } from '../../web/export/texture/decode-picture.js';
 import { loadPictures } from '../../web/export/texture/load-pictures.js';
-import { pictureHeader } from '../../web/export/texture/picture-header.js';
+import { pictureHeader } from '../../web/model/picture-header.js';
 import type { Raster } from '../../web/export/texture/raster.js';
 import type { Looks } from '../../web/model/looks.js';
 import { jpegOf } from './jpeg-file.js';

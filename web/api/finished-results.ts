@@ -36,6 +36,11 @@ export class FinishedResults {
     return { ...rest, file: this.model?.name ?? result.file, notices, ...(looks && { looks }) };
   }
 
+  /** Whether an event tells what only the result can know: which files beside the model were used. */
+  isPremature(event: TimedEngineEvent): boolean {
+    return event.type === 'notice' && event.code === 'files-ignored';
+  }
+
   ofEvent(event: TimedEngineEvent): TimedEvent {
     if (event.type === 'model') return { ...event, file: this.model?.name ?? event.file };
     if (event.type === 'done') return { ...event, result: this.of(event.result) };

@@ -41,7 +41,9 @@ export class OpenedModel {
   ): Promise<TimedResult> {
     const { model, finished } = await this.open(work.signal);
     const files = model ? [model.file] : this.files;
-    const onEvent = (event: TimedEngineEvent): void => work.onEvent?.(finished.ofEvent(event));
+    const onEvent = (event: TimedEngineEvent): void => {
+      if (!finished.isPremature(event)) work.onEvent?.(finished.ofEvent(event));
+    };
     const wanted = model ? filledIn(options, model) : options;
     return finished.of(await runJob(this.pool(), files, wanted, { ...work, onEvent }));
   }

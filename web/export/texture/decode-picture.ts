@@ -1,6 +1,6 @@
 import { renderSvg } from '../renderer.js';
 import { base64 } from './base64.js';
-import { pictureHeader, type PictureHeader } from './picture-header.js';
+import { pictureHeader, type PictureHeader } from '../../model/picture-header.js';
 import type { Raster } from './raster.js';
 
 /** Why a picture is not decoded. */
