@@ -10,6 +10,7 @@ import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { Settings } from '../model/options.js';
+import { Check } from './check.js';
 import { Choice } from './choice.js';
 import { partsOf } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
@@ -18,21 +19,22 @@ import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import { mayFollow, paceOf, type Pace } from './pace.js';
 import { never } from './place.js';
+import type { Aspect, OpenLooker } from './quick-looks.js';
 import { RunPictures } from './run-pictures.js';
 
 /** What is being done. */
 export type Work = 'idle' | 'running' | 'editing';
 
 /** What fills the page: the pictures of a run need the room of a result. */
-export type Scene = 'welcome' | 'empty' | 'pictures' | 'result';
+export type Scene = 'welcome' | 'empty' | 'check' | 'pictures' | 'result';
 
 /** What can change. */
-export type Topic = 'choice' | 'work' | 'scene' | 'selection';
+export type Topic = 'choice' | 'check' | 'work' | 'scene' | 'selection';
 
 /** What the store needs of a session. */
 export type OpenModel = Pick<
   Session,
-  'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
+  'inspect' | 'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
 >;
 
 /** A run that is drawn, but not on the page yet. */
@@ -85,6 +87,9 @@ export class Store {
   readonly choice = new Choice();
   private shownRun: FinishedRun | null = null;
   private session: OpenModel | null = null;
+  private presentCheck: Check | null = null;
+  /** Has read the model that is checked, for the run that follows; null once a run has it. */
+  private readSession: OpenModel | null = null;
   /** The session's, of the run on the page. */
   private shownPosition = 0;
   private presentScene: Scene = 'welcome';
@@ -120,6 +125,11 @@ export class Store {
 
   get scene(): Scene {
     return this.presentScene;
+  }
+
+  /** The chosen model before it is unfolded; null until it was looked at. */
+  get check(): Check | null {
+    return this.presentCheck;
   }
 
   /** Whether parts cannot be changed now, as their numbers are about to. */
@@ -168,6 +178,39 @@ export class Store {
     return true;
   }
 
+  /**
+   * Looks at the chosen model; ends whatever goes on. What was read stays for the run that follows. A file that is
+   * no model is not the chosen one any more.
+   */
+  async inspect(aspect: Aspect): Promise<Ending> {
+    const { model } = this.choice;
+    if (!model) return { type: 'nothing' };
+    const number = this.begin();
+    this.presentCheck = null;
+    this.choice.open();
+    this.presentScene = this.shownRun ? 'result' : 'empty';
+    this.notify('choice', 'check', 'work', 'scene');
+    const ending = await this.inspectNow(model, aspect);
+    if (this.needs.life.aborted) return never();
+    if (number !== this.runs) return { type: 'nothing' };
+    this.isRunning = false;
+    this.endRun(ending);
+    return ending;
+  }
+
+  /** Lets the model that was looked at fill the page, or the run before again. */
+  showCheck(isShown: boolean): void {
+    if (!this.presentCheck) return;
+    this.presentScene = isShown ? 'check' : this.restingScene;
+    this.notify('scene', 'check');
+  }
+
+  /** Shows the model that was looked at with so many triangles, unless it is being unfolded. */
+  async preview(aspect: Aspect): Promise<void> {
+    if (this.work !== 'idle') return;
+    await this.presentCheck?.show(aspect);
+  }
+
   select(parts: readonly number[]): void {
     this.selected = [...parts].sort((a, b) => a - b);
     this.notify('selection');
@@ -188,13 +231,11 @@ export class Store {
   ): Promise<Ending> {
     const { model } = this.choice;
     if (!model) return { type: 'nothing' };
-    this.cancel();
-    this.abort = new AbortController();
-    this.isRunning = true;
-    const number = ++this.runs;
+    const number = this.begin();
     const pictures = new RunPictures(model.name);
     this.choice.open();
-    this.presentScene = this.shownRun ? 'result' : 'empty';
+    // A model that is being looked at stays until the run has pictures of its own.
+    if (this.presentScene !== 'check') this.presentScene = this.shownRun ? 'result' : 'empty';
     begin(pictures);
     this.notify('choice', 'work', 'scene');
     const ending = await this.runNow({ model, settings, fields }, pictures);
@@ -208,6 +249,7 @@ export class Store {
   /** Ends what is being done. */
   cancel(): void {
     this.abort.abort();
+    this.presentCheck?.stop();
   }
 
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
@@ -235,6 +277,40 @@ export class Store {
     });
   }
 
+  /** Ends what is being done for something else, whose number it returns. */
+  private begin(): number {
+    this.cancel();
+    this.abort = new AbortController();
+    this.isRunning = true;
+    return ++this.runs;
+  }
+
+  private async inspectNow(model: ChosenModel, aspect: Aspect): Promise<Ending> {
+    const { signal } = this.abort;
+    try {
+      const session = await this.needs.open(model.files);
+      const open: OpenLooker = (files) => this.needs.open(files);
+      const check = new Check(model, session, open, () => this.notify('check'));
+      await check.begin(aspect, signal);
+      signal.throwIfAborted();
+      this.choice.accept(check.look!.file);
+      [this.presentCheck, this.readSession] = [check, session];
+      return { type: 'inspected', check };
+    } catch (error) {
+      if (signal.aborted) return { type: 'cancelled' };
+      if (!(error instanceof JobError)) throw error;
+      return failureOf(error, false);
+    }
+  }
+
+  /** The session that has read a model already, or another one. */
+  private open({ files }: ChosenModel): Promise<OpenModel> {
+    const { readSession, presentCheck } = this;
+    this.readSession = null;
+    const isRead = readSession && presentCheck?.model.files === files;
+    return isRead ? Promise.resolve(readSession) : this.needs.open(files);
+  }
+
   /** Whether an edit gives a part the name that it has. */
   private isNamed(edit: DocumentEdit): boolean {
     if (edit.kind !== 'name') return false;
@@ -259,7 +335,7 @@ export class Store {
     // A whole result is worth more than a part of the next one.
     const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
     try {
-      const session = await this.needs.open(model.files);
+      const session = await this.open(model);
       await session.runWith(settings, work);
       const { result } = await session.state();
       const run: FinishedRun = {
@@ -293,9 +369,15 @@ export class Store {
   private endRun(ending: Ending): void {
     if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop();
     else this.choice.leave();
-    if (this.shownRun) this.presentScene = 'result';
-    else if (this.presentScene === 'empty') this.presentScene = 'welcome';
-    this.notify('choice', 'work', 'scene');
+    this.presentScene = this.restingScene;
+    this.notify('choice', 'check', 'work', 'scene');
+  }
+
+  /** What fills the page while nothing is being done. */
+  private get restingScene(): Scene {
+    if (this.shownRun) return 'result';
+    if (this.presentCheck?.hasToDecide) return 'check';
+    return this.presentScene === 'pictures' ? 'pictures' : 'welcome';
   }
 
   private async step(step: Step): Promise<Ending> {

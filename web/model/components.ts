@@ -76,10 +76,7 @@ export function sidesOf(vertices: Float32Array | Float64Array): [number, number,
  * @param vertices 3 numbers per vertex
  * @param faces 3 vertices per face
  */
-export function componentsOf(
-  vertices: Float32Array | Float64Array,
-  faces: Int32Array,
-): Components {
+export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32Array): Components {
   const groups = new Groups(vertices.length / 3);
   for (let i = 0; i < faces.length; i += 3) {
     groups.join(faces[i]!, faces[i + 1]!);
