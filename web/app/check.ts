@@ -19,11 +19,10 @@ const keyOf = ({ faces, up }: Aspect): string => `${faces} ${up}`;
 
 const faceCount = ({ model }: Inspection): number => model.faces.length / 3;
 
-/** The number of faces of a model that the engine refuses to show whole; null for any other failure. */
-function refusedFaces(error: unknown): number | null {
-  if (!(error instanceof JobError) || error.code !== tooManyFaces) return null;
-  const { faces } = error.params;
-  return typeof faces === 'number' ? faces : null;
+/** The number of faces of a model that the engine refuses to show whole; 0 for any other failure. */
+function refusedFaces(error: unknown): number {
+  if (!(error instanceof JobError) || error.code !== tooManyFaces) return 0;
+  return Number(error.params['faces']) || 0;
 }
 
 /**
@@ -131,15 +130,15 @@ export class Check {
   async begin({ faces, up }: Aspect, signal: AbortSignal): Promise<void> {
     this.isAsked = faces !== 'off';
     this.asked = keyOf({ faces: 'off', up });
-    const whole = await this.inspect({ faces: 'off', up }, signal).catch((error: unknown) => {
-      const refused = refusedFaces(error);
-      if (refused === null) throw error;
-      this.count = refused;
+    let refused = 0;
+    const look = await this.inspect({ faces: 'off', up }, signal).catch((error: unknown) => {
+      refused = refusedFaces(error);
+      if (refused === 0) throw error;
       this.asked = keyOf({ faces: proposedFaces, up });
       return this.inspect({ faces: proposedFaces, up }, signal);
     });
-    this.first = this.shownLook = whole;
-    this.count = Math.max(this.count, faceCount(whole));
+    this.first = this.shownLook = look;
+    this.count = Math.max(refused, faceCount(look));
   }
 
   /** Shows the model with so many triangles, instead of whatever look was on its way. */
