@@ -4,7 +4,7 @@ import { refusal, type Refusal } from '../../web/api/edit-plan.js';
 import type { Inspection } from '../../web/api/inspect.js';
 import type { Applied } from '../../web/api/session.js';
 import type { RunWork, WorkOptions } from '../../web/api/work.js';
-import type { OpenModel } from '../../web/app/store.js';
+import type { OpenModel } from '../../web/app/store-needs.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { renamed } from '../../web/model/edits.js';

@@ -1,7 +1,8 @@
 /** The studio's state: commands, and what the page shows after them; without a page and an engine. */
 import { describe, expect, it, vi } from 'vitest';
 import { UnusableChoice, type ChosenModel } from '../../web/app/model-file.js';
-import { Store, type Drawing } from '../../web/app/store.js';
+import { Store } from '../../web/app/store.js';
+import type { Drawing } from '../../web/app/store-needs.js';
 import { engineDied, JobError } from '../../web/core/job-error.js';
 import { defaultSettings } from '../../web/api/written-options.js';
 import { FakeSession } from './fake-session.js';

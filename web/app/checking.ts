@@ -40,13 +40,14 @@ export class Checking extends Panel {
     place.life.addEventListener('abort', () => clearTimeout(this.timer));
   }
 
-  /** What the form asks for that decides how the model looks. */
-  get aspect(): Aspect {
-    return { faces: this.form.faces.value, up: this.form.size.upwards };
+  /** What a person has asked for, whatever model is chosen. */
+  get ownAspect(): Aspect {
+    return { faces: this.form.faces.own, up: this.form.size.upwards };
   }
 
   /** Sets the number of triangles that is proposed for a model, unless a person has asked for another one. */
   propose({ proposal }: Check): void {
+    this.form.faces.forget();
     if (proposal !== null && this.form.faces.value === 'off') this.form.faces.set(proposal);
   }
 
@@ -86,6 +87,9 @@ export class Checking extends Panel {
   /** A number that was asked for is seen a moment later. */
   private followForm(): void {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.store.preview(this.aspect), rest);
+    this.timer = setTimeout(() => {
+      const { faces, size } = this.form;
+      void this.store.preview({ faces: faces.value, up: size.upwards });
+    }, rest);
   }
 }

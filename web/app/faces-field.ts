@@ -27,6 +27,11 @@ export class FacesField extends Panel {
     return value === '' || !validity.valid ? 'off' : valueAsNumber;
   }
 
+  /** What a person has asked for: `off` where the number was set for a model. */
+  get own(): Settings['faces'] {
+    return this.field.hasAttribute(mark) ? 'off' : this.value;
+  }
+
   /** Writes what the chosen model is to have, and marks it. */
   set(faces: Settings['faces']): void {
     this.label(true);

@@ -1,5 +1,5 @@
 import type { DocumentState } from '../api/document-state.js';
-import type { Applied, Session } from '../api/session.js';
+import type { Applied } from '../api/session.js';
 import type { RunWork, WorkOptions } from '../api/work.js';
 import type { Refusal } from '../api/edit-plan.js';
 import { JobError } from '../core/job-error.js';
@@ -8,19 +8,20 @@ import type { DocumentEdit } from '../model/document-edits.js';
 import { isRenaming, renamed } from '../model/edits.js';
 import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
-import type { ModelFiles } from '../model/model-files.js';
 import type { Settings } from '../model/options.js';
-import { Check } from './check.js';
+import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { partsOf } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
+import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import { mayFollow, paceOf, type Pace } from './pace.js';
 import { never } from './place.js';
-import type { Aspect, OpenLooker } from './quick-looks.js';
+import type { Aspect } from './quick-looks.js';
 import { RunPictures } from './run-pictures.js';
+import type { OpenModel, StoreNeeds } from './store-needs.js';
 
 /** What is being done. */
 export type Work = 'idle' | 'running' | 'editing';
@@ -30,32 +31,6 @@ export type Scene = 'welcome' | 'empty' | 'check' | 'pictures' | 'result';
 
 /** What can change. */
 export type Topic = 'choice' | 'check' | 'work' | 'scene' | 'selection';
-
-/** What the store needs of a session. */
-export type OpenModel = Pick<
-  Session,
-  'inspect' | 'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
->;
-
-/** A run that is drawn, but not on the page yet. */
-export interface Drawing {
-  /** Puts all of it on the page at once: no two panels may ever show different runs. */
-  show(how: { isRenaming: boolean }): void;
-  /** It is not needed any more. */
-  drop(): void;
-}
-
-export interface StoreNeeds {
-  open(files: ModelFiles): Promise<OpenModel>;
-  /** Null if a later drawing was quicker; rejects if the sheets cannot be drawn. */
-  draw(run: FinishedRun): Promise<Drawing | null>;
-  /** Hears what goes on in the present work. */
-  follow(event: TimedEvent): void;
-  /** Hears all that jobs tell, also those that were ended. */
-  onEvent(event: TimedEvent): void;
-  /** Ends all work; whoever waits for it waits for ever. */
-  life: AbortSignal;
-}
 
 /** A change that is not on the page yet. */
 interface Step {
@@ -87,9 +62,7 @@ export class Store {
   readonly choice = new Choice();
   private shownRun: FinishedRun | null = null;
   private session: OpenModel | null = null;
-  private presentCheck: Check | null = null;
-  /** Has read the model that is checked, for the run that follows; null once a run has it. */
-  private readSession: OpenModel | null = null;
+  private readonly inspector: Inspector;
   /** The session's, of the run on the page. */
   private shownPosition = 0;
   private presentScene: Scene = 'welcome';
@@ -105,6 +78,7 @@ export class Store {
   private readonly listeners: Partial<Record<Topic, (() => void)[]>> = {};
 
   constructor(private readonly needs: StoreNeeds) {
+    this.inspector = new Inspector(needs, () => this.notify('check'));
     needs.life.addEventListener('abort', () => this.cancel());
   }
 
@@ -129,7 +103,7 @@ export class Store {
 
   /** The chosen model before it is unfolded; null until it was looked at. */
   get check(): Check | null {
-    return this.presentCheck;
+    return this.inspector.check;
   }
 
   /** Whether parts cannot be changed now, as their numbers are about to. */
@@ -186,21 +160,22 @@ export class Store {
     const { model } = this.choice;
     if (!model) return { type: 'nothing' };
     const number = this.begin();
-    this.presentCheck = null;
+    const inspecting = this.inspector.inspect(model, aspect, this.abort.signal);
     this.choice.open();
     this.presentScene = this.shownRun ? 'result' : 'empty';
     this.notify('choice', 'check', 'work', 'scene');
-    const ending = await this.inspectNow(model, aspect);
+    const ending = await inspecting;
     if (this.needs.life.aborted) return never();
     if (number !== this.runs) return { type: 'nothing' };
     this.isRunning = false;
+    if (ending.type === 'inspected') this.choice.accept(ending.check.name);
     this.endRun(ending);
     return ending;
   }
 
   /** Lets the model that was looked at fill the page, or the run before again. */
   showCheck(isShown: boolean): void {
-    if (!this.presentCheck) return;
+    if (!this.check) return;
     this.presentScene = isShown ? 'check' : this.restingScene;
     this.notify('scene', 'check');
   }
@@ -208,7 +183,7 @@ export class Store {
   /** Shows the model that was looked at with so many triangles, unless it is being unfolded. */
   async preview(aspect: Aspect): Promise<void> {
     if (this.work !== 'idle') return;
-    await this.presentCheck?.show(aspect);
+    await this.check?.show(aspect);
   }
 
   select(parts: readonly number[]): void {
@@ -249,7 +224,7 @@ export class Store {
   /** Ends what is being done. */
   cancel(): void {
     this.abort.abort();
-    this.presentCheck?.stop();
+    this.check?.stop();
   }
 
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
@@ -285,32 +260,6 @@ export class Store {
     return ++this.runs;
   }
 
-  private async inspectNow(model: ChosenModel, aspect: Aspect): Promise<Ending> {
-    const { signal } = this.abort;
-    try {
-      const session = await this.needs.open(model.files);
-      const open: OpenLooker = (files) => this.needs.open(files);
-      const check = new Check(model, session, open, () => this.notify('check'));
-      await check.begin(aspect, signal);
-      signal.throwIfAborted();
-      this.choice.accept(check.look!.file);
-      [this.presentCheck, this.readSession] = [check, session];
-      return { type: 'inspected', check };
-    } catch (error) {
-      if (signal.aborted) return { type: 'cancelled' };
-      if (!(error instanceof JobError)) throw error;
-      return failureOf(error, false);
-    }
-  }
-
-  /** The session that has read a model already, or another one. */
-  private open({ files }: ChosenModel): Promise<OpenModel> {
-    const { readSession, presentCheck } = this;
-    this.readSession = null;
-    const isRead = readSession && presentCheck?.model.files === files;
-    return isRead ? Promise.resolve(readSession) : this.needs.open(files);
-  }
-
   /** Whether an edit gives a part the name that it has. */
   private isNamed(edit: DocumentEdit): boolean {
     if (edit.kind !== 'name') return false;
@@ -335,7 +284,7 @@ export class Store {
     // A whole result is worth more than a part of the next one.
     const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
     try {
-      const session = await this.open(model);
+      const session = await this.inspector.open(model);
       await session.runWith(settings, work);
       const { result } = await session.state();
       const run: FinishedRun = {
@@ -376,7 +325,7 @@ export class Store {
   /** What fills the page while nothing is being done. */
   private get restingScene(): Scene {
     if (this.shownRun) return 'result';
-    if (this.presentCheck?.hasToDecide) return 'check';
+    if (this.check?.hasToDecide) return 'check';
     return this.presentScene === 'pictures' ? 'pictures' : 'welcome';
   }
 

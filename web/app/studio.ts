@@ -29,7 +29,8 @@ import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
 import { StepsPanel } from './steps-panel.js';
-import { type Drawing, Store } from './store.js';
+import { Store } from './store.js';
+import type { Drawing } from './store-needs.js';
 import { listenForUndo } from './undo-keys.js';
 import { Workshop } from './workshop.js';
 
@@ -186,8 +187,9 @@ export class Studio extends Panel {
 
   /** Unfolds what is chosen; what nobody has looked at, nor is looking at, is looked at first. */
   private async submit(): Promise<void> {
-    const { check, work } = this.store;
-    if (check || work === 'running') await this.unfold();
+    const { check, choice, run, work } = this.store;
+    const isUnfolded = run !== null && run.model.files === choice.model?.files;
+    if (check || isUnfolded || work === 'running') await this.unfold();
     else await this.inspect(true);
   }
 
@@ -195,9 +197,8 @@ export class Studio extends Panel {
     const { model } = this.store.choice;
     if (!model) return;
     this.message.clear();
-    this.form.faces.forget();
     if (this.form.isValid) this.progress.begin(model.name);
-    const ending = await this.store.inspect(this.checking.aspect);
+    const ending = await this.store.inspect(this.checking.ownAspect);
     if (ending.type === 'nothing') return;
     if (ending.type !== 'inspected') return this.leave(ending, model);
     const { check } = ending;
