@@ -194,6 +194,7 @@ describe('words', () => {
       'This model has 70,000 triangles. Paper models have 200 to 1500, so 1500 are set for it: the picture shows what is left of its shape.',
     );
     expect(triangleWords(800, null)).toContain('fine for paper');
+    expect(triangleWords(8000, null)).toBe('This model has 8000 triangles.');
     expect(boundWords(345_678)).toContain('All 345,678 are too many: nets of more than 100,000');
     expect(lookWords(1500, false, '')).toBe('The picture has 1500 triangles.');
     expect(lookWords(1500, true, '200 triangles')).toBe('Making a model of 200 triangles …');

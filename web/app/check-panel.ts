@@ -67,6 +67,7 @@ export class CheckPanel extends Panel {
   begin(check: Check, canLeave: boolean): void {
     this.back.hidden = !canLeave;
     this.why.textContent = triangleWords(check.faces, check.proposal);
+    this.find('#check-triangles', HTMLElement).hidden = check.faces <= faceLevels[0];
     this.levels.replaceChildren(...this.levelButtons(check));
     const most = Math.min(slider.most, Math.floor(check.faces / slider.step) * slider.step);
     Object.assign(this.slider, { min: slider.least, max: most, step: slider.step });

@@ -1,5 +1,5 @@
 /** What is said about a model before it is unfolded. */
-import { mostFaces } from '../model/face-numbers.js';
+import { mostFaces, usualFaces } from '../model/face-numbers.js';
 import type { Message } from '../model/message.js';
 import { phraseOf } from '../words/phrase.js';
 import { sentence } from './sentence.js';
@@ -39,7 +39,7 @@ export function repairWords(repairs: readonly Message[]): {
 /** Why fewer triangles are proposed, or that none have to be. */
 export function triangleWords(faces: number, proposal: number | null): string {
   const has = `This model has ${large(faces)} triangles.`;
-  if (proposal === null) return `${has} That is fine for paper.`;
+  if (proposal === null) return faces > usualFaces ? has : `${has} That is fine for paper.`;
   return `${has} Paper models have 200 to 1500, so ${large(proposal)} are set for it: the picture shows what is left of its shape.`;
 }
 

@@ -90,9 +90,9 @@ export class Check {
     return this.count <= mostFaces;
   }
 
-  /** How many triangles are proposed; null where the model is fine as it is. */
+  /** How many triangles are proposed; null where the model is fine as it is, or a person has asked for a number. */
   get proposal(): number | null {
-    return this.count > usualFaces ? proposedFaces : null;
+    return this.count > usualFaces && !this.isAsked ? proposedFaces : null;
   }
 
   /** What was repaired and what cannot be. */
@@ -119,8 +119,7 @@ export class Check {
 
   /** Whether someone should look before nets are searched. */
   get hasToDecide(): boolean {
-    const isTooFine = this.proposal !== null && !this.isAsked;
-    return isTooFine || this.tinyBodies > 0 || this.repairs.some(isUnmended);
+    return this.proposal !== null || this.tinyBodies > 0 || this.repairs.some(isUnmended);
   }
 
   /**
@@ -196,6 +195,7 @@ export class Check {
 
 /** Numbers of the components that are tiny. */
 function tinyComponents({ model, components }: Inspection): Set<number> {
+  if (components.length < 2) return new Set();
   const side = Math.max(...sidesOf(model.vertices));
   return new Set(components.flatMap((component, i) => (isTiny(component, side) ? [i] : [])));
 }

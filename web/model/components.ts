@@ -42,31 +42,38 @@ class Groups {
   }
 }
 
-/** The bounding box of points as it grows. */
-class Box {
-  private readonly low = [Infinity, Infinity, Infinity];
-  private readonly high = [-Infinity, -Infinity, -Infinity];
+/** Bounding boxes of groups of points as they grow. */
+class Boxes {
+  private readonly low: Float64Array;
+  private readonly high: Float64Array;
 
-  add(positions: Float32Array | Float64Array, vertex: number): void {
+  constructor(count: number) {
+    this.low = new Float64Array(3 * count).fill(Infinity);
+    this.high = new Float64Array(3 * count).fill(-Infinity);
+  }
+
+  /** Takes a vertex into a box. */
+  add(box: number, vertices: Float32Array | Float64Array, vertex: number): void {
     for (let axis = 0; axis < 3; ++axis) {
-      const value = positions[3 * vertex + axis]!;
-      this.low[axis] = Math.min(this.low[axis]!, value);
-      this.high[axis] = Math.max(this.high[axis]!, value);
+      const value = vertices[3 * vertex + axis]!;
+      const at = 3 * box + axis;
+      if (value < this.low[at]!) this.low[at] = value;
+      if (value > this.high[at]!) this.high[at] = value;
     }
   }
 
-  /** Width, height and depth. */
-  get sides(): [number, number, number] {
-    const side = (axis: number): number => Math.max(0, this.high[axis]! - this.low[axis]!);
-    return [side(0), side(1), side(2)];
+  /** Width, height and depth of a box. */
+  sides(box: number): [number, number, number] {
+    const side = (at: number): number => Math.max(0, this.high[at]! - this.low[at]!);
+    return [side(3 * box), side(3 * box + 1), side(3 * box + 2)];
   }
 }
 
 /** Width, height and depth of the vertices' bounding box, in their units. */
 export function sidesOf(vertices: Float32Array | Float64Array): [number, number, number] {
-  const box = new Box();
-  for (let vertex = 0; vertex < vertices.length / 3; ++vertex) box.add(vertices, vertex);
-  return box.sides;
+  const boxes = new Boxes(1);
+  for (let vertex = 0; vertex < vertices.length / 3; ++vertex) boxes.add(0, vertices, vertex);
+  return boxes.sides(0);
 }
 
 /**
@@ -82,24 +89,26 @@ export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32
     groups.join(faces[i]!, faces[i + 1]!);
     groups.join(faces[i]!, faces[i + 2]!);
   }
-  const numbers = new Map<number, number>();
-  const boxes: { faces: number; box: Box }[] = [];
+  /** By the vertices that stand for groups: 1 more than the number of the component, or 0. */
+  const numbers = new Int32Array(vertices.length / 3);
+  const faceCounts: number[] = [];
   const ofFaces = new Int32Array(faces.length / 3);
   for (let face = 0; face < ofFaces.length; ++face) {
     const root = groups.rootOf(faces[3 * face]!);
-    const number = numbers.get(root) ?? boxes.length;
-    if (number === boxes.length) {
-      numbers.set(root, number);
-      boxes.push({ faces: 0, box: new Box() });
-    }
-    const body = boxes[number]!;
-    ++body.faces;
-    for (let corner = 0; corner < 3; ++corner) body.box.add(vertices, faces[3 * face + corner]!);
-    ofFaces[face] = number;
+    numbers[root] ||= faceCounts.push(0);
+    const component = numbers[root] - 1;
+    ++faceCounts[component]!;
+    ofFaces[face] = component;
   }
-  const components = boxes.map((body) => ({
-    faces: body.faces,
-    longestSide: Math.max(...body.box.sides),
+  const boxes = new Boxes(faceCounts.length);
+  for (let vertex = 0; vertex < numbers.length; ++vertex) {
+    const number = numbers[groups.rootOf(vertex)]!;
+    // A vertex without faces is of no body.
+    if (number > 0) boxes.add(number - 1, vertices, vertex);
+  }
+  const components = faceCounts.map((count, component) => ({
+    faces: count,
+    longestSide: Math.max(...boxes.sides(component)),
   }));
   return { components, ofFaces };
 }
