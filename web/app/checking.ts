@@ -1,6 +1,7 @@
 import type { Inspection } from '../api/inspect.js';
 import type { Check } from './check.js';
 import { CheckPanel } from './check-panel.js';
+import { nextFrame } from './next-frame.js';
 import type { OptionsForm } from './options-form.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -51,8 +52,9 @@ export class Checking extends Panel {
     if (proposal !== null && this.form.faces.value === 'off') this.form.faces.set(proposal);
   }
 
-  /** Brings the card in front of the person. */
-  reveal(): void {
+  /** Brings the card in front of the person, once it has its place. */
+  async reveal(): Promise<void> {
+    await nextFrame();
     const { top } = this.room.getBoundingClientRect();
     // On a phone it is below the form.
     if (top > innerHeight / 2) this.room.scrollIntoView({ block: 'start' });

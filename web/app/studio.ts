@@ -213,7 +213,7 @@ export class Studio extends Panel {
   private hold({ faces, proposal }: Check): void {
     this.store.showCheck(true);
     this.progress.end(`Check the model. ${triangleWords(faces, proposal)}`);
-    this.checking.reveal();
+    void this.checking.reveal();
   }
 
   private async unfold(): Promise<void> {
