@@ -24,7 +24,7 @@ function chooseSample(studio: Locator, name: string): Promise<void> {
 
 /** Drops a model of which all is in one part: bred nets of it take until they are cancelled. */
 async function dropLongRun(studio: Locator): Promise<void> {
-  const file = { name: 'long.obj', content: objText(wavyRing(60)) };
+  const file = { name: 'long.obj', content: objText(wavyRing(30)) };
   await drag(studio.locator('.mat'), ['drop'], file);
   await studio.locator('#cancel').waitFor();
 }

@@ -107,7 +107,7 @@ test('cancel ends a run at once, and the next run works', () =>
     const { page } = studio;
     await page.fill('#parts', '1');
     await page.selectOption('#solver', 'genetic');
-    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await studio.choose('ring.obj', objText(wavyRing(30)));
     await page.locator('#cancel').click();
     await page.locator('#progress').waitFor({ state: 'hidden', timeout: 3000 });
     expect(await page.locator('#announcement').textContent()).toBe('Cancelled.');
@@ -121,7 +121,7 @@ test('cancel ends a run at once, and the next run works', () =>
 
 test('a new choice ends the run before it', () =>
   withStudio(async (studio) => {
-    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await studio.choose('ring.obj', objText(wavyRing(30)));
     await studio.page.locator('#cancel').waitFor();
     await nextRunWorks(studio);
     expect(studio.complaints).toEqual([]);
@@ -191,7 +191,7 @@ test('what is meant for a field stays in it', () =>
 
     await page.fill('#parts', '1');
     await page.selectOption('#solver', 'genetic');
-    await studio.choose('ring.obj', objText(wavyRing(60)));
+    await studio.choose('ring.obj', objText(wavyRing(30)));
     await page.locator('#cancel').waitFor();
     await page.locator('#parts').press('Escape');
     await page.waitForTimeout(300);

@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import type { AxeResults } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
+import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
 import { desktop, phone } from './studio-page.js';
 
@@ -64,6 +65,12 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await page.getByText('How to fold and glue it').click();
     await page.locator('.step').nth(1).click();
     await studio.picture(`${name}-5-steps`);
+    expect(await barriers(page)).toEqual([]);
+
+    await studio.choose('ring.obj', objText(wavyRing(34)));
+    await page.locator('#check-look', { hasText: 'The picture has 1' }).waitFor();
+    await page.getByRole('button', { name: '20 cm', exact: true }).click();
+    await studio.picture(`${name}-7-check`);
     expect(await barriers(page)).toEqual([]);
     const overflow = await page.evaluate(
       () => document.documentElement.scrollWidth - document.documentElement.clientWidth,

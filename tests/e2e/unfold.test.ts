@@ -54,7 +54,7 @@ test('the engine works in a worker, and the page answers while it does', () =>
   withStudio(async (studio) => {
     const { page } = studio;
     await page.fill('#parts', '1');
-    await studio.choose('ring.obj', objText(wavyRing(40)));
+    await studio.choose('ring.obj', objText(wavyRing(30)));
     await page.locator('#cancel').waitFor();
     // Pictures are drawn by workers of other kinds.
     const engines = (): number =>

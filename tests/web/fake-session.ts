@@ -1,9 +1,10 @@
 /** A document without an engine, for tests of the store: every step waits until the test lets it go on. */
 import type { DocumentState } from '../../web/api/document-state.js';
 import { refusal, type Refusal } from '../../web/api/edit-plan.js';
+import type { Inspection } from '../../web/api/inspect.js';
 import type { Applied } from '../../web/api/session.js';
 import type { RunWork, WorkOptions } from '../../web/api/work.js';
-import type { OpenModel } from '../../web/app/store.js';
+import type { OpenModel } from '../../web/app/store-needs.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { renamed } from '../../web/model/edits.js';
@@ -49,6 +50,24 @@ export class FakeSession implements OpenModel {
 
   get nextStep(): readonly DocumentEdit[] | null {
     return this.states[this.position + 1]?.edits ?? null;
+  }
+
+  /** What a look at the model finds; none unless a test says so. */
+  inspection: Partial<Inspection> = {};
+
+  async inspect(_: unknown, { signal }: Pick<WorkOptions, 'signal'> = {}): Promise<Inspection> {
+    await this.wait({ ...(signal && { signal }) });
+    const model = { vertices: new Float32Array(9), faces: Int32Array.of(0, 1, 2) };
+    const components = [{ faces: 1, longestSide: 1 }];
+    const componentOfFaces = Int32Array.of(0);
+    return {
+      file: this.file,
+      model,
+      repairs: [],
+      components,
+      componentOfFaces,
+      ...this.inspection,
+    };
   }
 
   async runWith(settings: Settings, work: RunWork = {}): Promise<Report> {

@@ -1,7 +1,8 @@
 /** The studio's state: commands, and what the page shows after them; without a page and an engine. */
 import { describe, expect, it, vi } from 'vitest';
 import { UnusableChoice, type ChosenModel } from '../../web/app/model-file.js';
-import { Store, type Drawing } from '../../web/app/store.js';
+import { Store } from '../../web/app/store.js';
+import type { Drawing } from '../../web/app/store-needs.js';
 import { engineDied, JobError } from '../../web/core/job-error.js';
 import { defaultSettings } from '../../web/api/written-options.js';
 import { FakeSession } from './fake-session.js';
@@ -152,6 +153,80 @@ describe('a run', () => {
     await bench.goOn();
     expect(await run).toMatchObject({ type: 'undrawn', run: { model: { name: 'other.obj' } } });
     expect(bench.store.run?.model.name).toBe('ring.obj');
+  });
+});
+
+describe('a look at the model', () => {
+  const whole = { faces: 'off', up: 'guess' } as const;
+  /** Of a model of so many triangles. */
+  const found = (count: number) => ({
+    model: { vertices: new Float32Array(9), faces: new Int32Array(3 * count) },
+    componentOfFaces: new Int32Array(count),
+  });
+
+  it('fills the page where something is to decide, and what was read goes into the run', async () => {
+    const bench = new Bench();
+    const { store, sessions } = bench;
+    await store.choose(Promise.resolve(file('bust.obj')));
+    const look = store.inspect(whole);
+    await settle();
+    expect([store.work, store.scene, store.check]).toEqual(['running', 'empty', null]);
+    bench.session.inspection = found(5000);
+    await bench.goOn();
+    expect(await look).toMatchObject({ type: 'inspected', check: { faces: 5000 } });
+    expect([store.work, store.scene, store.choice.opening]).toEqual(['idle', 'check', false]);
+    const run = store.unfold(settings, fields);
+    await settle();
+    expect(store.scene).toBe('check');
+    await bench.goOn();
+    expect(await run).toMatchObject({ type: 'shown' });
+    expect([store.scene, sessions.length]).toEqual(['result', 1]);
+    // The session of the page stays until there is another run to show.
+    const again = store.unfold(settings, fields);
+    await bench.goOn();
+    await again;
+    expect(sessions).toHaveLength(2);
+  });
+
+  it('can be left for the run before, and taken up again', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    store.showCheck(true);
+    expect(store.scene).toBe('result');
+    await store.choose(Promise.resolve(file('bust.obj')));
+    const look = store.inspect(whole);
+    await settle();
+    bench.session.inspection = found(5000);
+    await bench.goOn();
+    await look;
+    for (const [isShown, scene] of [
+      [true, 'check'],
+      [false, 'result'],
+      [true, 'check'],
+    ] as const) {
+      store.showCheck(isShown);
+      expect(store.scene).toBe(scene);
+    }
+    expect([bench.parts, store.choice.model?.name]).toEqual([4, 'bust.obj']);
+  });
+
+  it('drops a file that is none, and gives way to a run', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    await store.choose(Promise.resolve(file('letter.obj')));
+    const look = store.inspect(whole);
+    await bench.goOn(new JobError('no-faces', { what: 'nothing' }));
+    expect(await look).toMatchObject({ type: 'failed', cause: 'file', code: 'no-faces' });
+    expect([store.choice.model?.name, store.scene, store.check]).toEqual([
+      'ring.obj',
+      'result',
+      null,
+    ]);
+    const slow = store.inspect(whole);
+    await settle();
+    const run = store.unfold(settings, fields);
+    await bench.goOn();
+    expect([(await slow).type, (await run).type]).toEqual(['nothing', 'shown']);
   });
 });
 

@@ -25,6 +25,11 @@ export interface DocumentState {
   result: TimedResult;
 }
 
+/** All that was asked for before the first edit. */
+export function freshWishes(settings: Settings): Wishes {
+  return { settings, flapEdges: [], locks: [], names: [], pins: [] };
+}
+
 /** What the engine is asked for. */
 export function jobOf({ settings, flapEdges, locks, names, pins }: Wishes): JobOptions {
   return {

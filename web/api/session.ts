@@ -17,7 +17,7 @@ import type { JobOptions } from '../model/job-options.js';
 import { probableModel, type ModelFiles } from '../model/model-files.js';
 import { addSeconds } from '../model/stage-seconds.js';
 import { changedSettings, defaultSettings, type Options } from './written-options.js';
-import { jobOf, printOf, type DocumentState, type Wishes } from './document-state.js';
+import { freshWishes, jobOf, printOf, type DocumentState } from './document-state.js';
 import {
   planEdits,
   refusal,
@@ -27,6 +27,7 @@ import {
   type Refusal,
 } from './edit-plan.js';
 import { History } from './history.js';
+import { inspectModel, type Inspection } from './inspect.js';
 import { OpenedModel } from './opened-model.js';
 import { readEdits } from './read-edits.js';
 import type { RunWork, WorkOptions } from './work.js';
@@ -112,6 +113,22 @@ export class Session {
   get report(): Report {
     if (!this.history) throw new Error(nothing);
     return this.history.report;
+  }
+
+  /**
+   * Looks at the model and unfolds nothing: reads and repairs it, simplifies it to `faces` if they are given, and
+   * leaves the document as it is. What was read stays for the runs that follow.
+   *
+   * Rejects as `run` does. Cost: about a second for 70,000 faces, mostly for reading and repairing.
+   */
+  inspect(
+    options: Pick<Options, 'faces' | 'up'> = {},
+    { signal }: Pick<WorkOptions, 'signal'> = {},
+  ): Promise<Inspection> {
+    return this.inTurn(async () => {
+      const wishes = freshWishes(changedSettings(defaultSettings(), options));
+      return inspectModel(this.model, jobOf(wishes), signal);
+    });
   }
 
   /**
@@ -210,7 +227,7 @@ export class Session {
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
-    const wishes: Wishes = { settings, flapEdges: [], locks: [], names: [], pins: [] };
+    const wishes = freshWishes(settings);
     const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
     const { result, isWhole } = await outcome(run, work);
     this.fileName = result.file;

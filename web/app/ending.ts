@@ -1,11 +1,13 @@
 /** How the work that a person asked for can end. */
 import type { Refusal } from '../api/edit-plan.js';
 import { blamesOptions, engineDied, type JobError } from '../core/job-error.js';
+import { tooManyFaces, type Check } from './check.js';
 import type { FinishedRun } from './finished-run.js';
 
 /** `cause`: the file holds no model that can be read, or the model or the settings are at fault, or the engine is. */
 export interface Failure {
   type: 'failed';
+  code: string;
   text: string;
   cause: 'file' | 'job' | 'crash';
 }
@@ -15,6 +17,8 @@ export type Ending =
   | { type: 'shown'; run: FinishedRun; isWhole: boolean }
   /** Ended by the person; all is as it was. */
   | { type: 'cancelled' }
+  /** A model was looked at and is ready to be unfolded. */
+  | { type: 'inspected'; check: Check }
   | Failure
   /** An edit that cannot be made. */
   | { type: 'refused'; refusal: Refusal }
@@ -26,7 +30,7 @@ export type Ending =
 /** @param wasRead whether the model had been read by then */
 export function failureOf(error: JobError, wasRead: boolean): Failure {
   const { code, message: text } = error;
-  if (code === engineDied) return { type: 'failed', text, cause: 'crash' };
-  const cause = wasRead || blamesOptions(error) ? 'job' : 'file';
-  return { type: 'failed', text, cause };
+  if (code === engineDied) return { type: 'failed', code, text, cause: 'crash' };
+  const isForSettings = blamesOptions(error) || code === tooManyFaces;
+  return { type: 'failed', code, text, cause: wasRead || isForSettings ? 'job' : 'file' };
 }

@@ -22,6 +22,6 @@ export class ModelChoice extends Panel {
     const verb = opening ? 'Opening' : 'Chosen';
     this.words.textContent = model ? `${verb}: ${model.name}` : this.formats;
     this.gallery.mark(model?.name ?? null);
-    this.form.ready = model !== null && !opening;
+    this.form.ready = model !== null;
   }
 }

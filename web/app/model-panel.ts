@@ -56,6 +56,14 @@ export class ModelPanel extends Panel {
     this.view.post({ type: 'model', vertices, faces });
   }
 
+  /** Shows a model before its run; seen from where it was seen if it is but simplified otherwise. */
+  preview(name: string, { vertices, faces }: ShownModel, keepsView: boolean): void {
+    this.name.textContent = name;
+    this.run = null;
+    this.folding.clear();
+    this.view.post({ type: 'model', vertices, faces, keepsView });
+  }
+
   /** Shows the repaired model in its final colours; that of the same run only changes its colours. */
   finish(run: RunPictures, { model, labels, pieces, looks }: JobResult): void {
     if (this.run !== run) this.show(run, model);

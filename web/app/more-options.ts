@@ -1,6 +1,7 @@
 import { defaultOptions } from '../model/default-options.js';
 import type { FoldingMode, Heuristic, Segmenter, Solver } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
+import { FacesField } from './faces-field.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -48,7 +49,7 @@ export class MoreOptions extends Panel {
   private readonly segment = this.find('#segment', HTMLSelectElement);
   private readonly heuristic = this.find('#heuristic', HTMLSelectElement);
   private readonly runs = this.find('#runs', HTMLInputElement);
-  private readonly faces = this.find('#faces', HTMLInputElement);
+  readonly faces = new FacesField(this.place);
   private readonly proxy = this.find('#proxy', HTMLInputElement);
   private readonly folding = this.find('#folding-mode', HTMLSelectElement);
   private readonly foldingHint = this.find('#folding-hint', HTMLElement);
@@ -75,7 +76,7 @@ export class MoreOptions extends Panel {
       segment: chosen(this.segment, segmenters, defaultOptions.segment),
       heuristic: chosen(this.heuristic, heuristics, defaultOptions.heuristic),
       runs: amount(this.runs, defaultOptions.runs),
-      faces: this.faces.value === '' ? 'off' : this.faces.valueAsNumber,
+      faces: this.faces.value,
       proxy: amount(this.proxy, defaultOptions.proxy),
       folding: this.chosenFolding(),
     };

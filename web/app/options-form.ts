@@ -4,6 +4,8 @@ import type { Settings } from '../model/options.js';
 import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
 import { defaultSettings } from '../api/written-options.js';
 import { make } from './dom.js';
+import type { FacesField } from './faces-field.js';
+import { fill } from './fill.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
 import { Panel } from './panel.js';
@@ -17,19 +19,14 @@ export interface Preset {
   seed?: string;
   /** Name of a paper, or WxH in mm. */
   paper?: string;
+  /** The most triangles; nothing for all, or what is proposed for a large model. */
+  faces?: string;
 }
 
 const orientations: readonly Orientation[] = ['auto', 'portrait', 'landscape'];
 
 function inches(length: number): string {
   return String(Math.round((length / 25.4) * 10) / 10);
-}
-
-/** Puts a value into a field that takes it. */
-function fill(field: HTMLInputElement, value: string): void {
-  const before = field.value;
-  field.value = value;
-  if (!field.validity.valid || field.value !== value) field.value = before;
 }
 
 function paperLabel({ name, width, height }: PaperSize): string {
@@ -51,7 +48,7 @@ export class OptionsForm extends Panel {
   private readonly margin = this.find('#margin', HTMLInputElement);
   private readonly button = this.find('#unfold', HTMLButtonElement);
   private readonly more = new MoreOptions(this.place);
-  private readonly size = new SizeFields(this.place);
+  readonly size = new SizeFields(this.place);
   private readonly flaps = new FlapFields(this.place);
 
   constructor(place: StudioPlace, onSubmit: () => void) {
@@ -75,6 +72,21 @@ export class OptionsForm extends Panel {
     this.button.disabled = !ready;
   }
 
+  /** The field for the number of triangles. */
+  get faces(): FacesField {
+    return this.more.faces;
+  }
+
+  /** Whether all fields make sense. */
+  get isValid(): boolean {
+    return this.form.matches(':valid');
+  }
+
+  /** Calls `listener` after every change of a field. */
+  onChange(listener: () => void): void {
+    for (const type of ['input', 'change']) this.form.addEventListener(type, listener);
+  }
+
   /** Words on the button. */
   set action(words: string) {
     this.button.textContent = words;
@@ -93,11 +105,12 @@ export class OptionsForm extends Panel {
   }
 
   /** Fills in fields; a value that a field does not take is ignored. */
-  preset({ parts, seed, paper }: Preset): void {
+  preset({ parts, seed, paper, faces }: Preset): void {
     const size = paperCalled(paper ?? '');
     if (size) this.choosePaper(size);
     if (parts !== undefined) fill(this.parts, parts === 'auto' ? '' : parts);
     if (seed !== undefined) fill(this.more.seed, seed);
+    if (faces !== undefined) this.more.faces.fill(faces);
     // As if a person had: what depends on the fields looks at them again.
     this.form.dispatchEvent(new Event('input'));
   }

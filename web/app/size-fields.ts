@@ -23,6 +23,12 @@ const amounts: Readonly<Record<Exclude<Sizing, 'fit'>, Amount>> = {
   sheets: { label: 'Sheets at most', least: '1', most: '1000', step: '1', start: '4' },
 };
 
+/** How large a model is wished to be: a kind of size and its number; none while the number makes no sense. */
+export interface Wish {
+  kind: Sizing;
+  amount: number | null;
+}
+
 const units: readonly Unit[] = ['guess', 'mm', 'cm', 'm', 'in'];
 const ups: readonly Up[] = ['guess', 'x', 'y', 'z'];
 
@@ -54,8 +60,28 @@ export class SizeFields extends Panel {
       scale: amount('scale'),
       sheets: amount('sheets'),
       unit: units.find((name) => name === this.unit.value) ?? 'guess',
-      up: ups.find((name) => name === this.up.value) ?? 'guess',
+      up: this.upwards,
     };
+  }
+
+  /** What the fields say about the size now, whether that makes sense or not. */
+  get wish(): Wish {
+    const { value, validity } = this.amount;
+    const amount = value !== '' && validity.valid ? this.amount.valueAsNumber : null;
+    return { kind: this.sizing(), amount };
+  }
+
+  /** Which way is up in the file. */
+  get upwards(): Up {
+    return ups.find((name) => name === this.up.value) ?? 'guess';
+  }
+
+  /** Asks for a height in mm, or for the largest that a sheet allows. */
+  choose(height: number | 'fit'): void {
+    this.kind.value = height === 'fit' ? 'fit' : 'height';
+    this.show();
+    if (height !== 'fit') this.amount.value = String(height);
+    this.kind.dispatchEvent(new Event('input', { bubbles: true }));
   }
 
   private sizing(): Sizing {

@@ -1,5 +1,5 @@
 import type { DocumentState } from '../api/document-state.js';
-import type { Applied, Session } from '../api/session.js';
+import type { Applied } from '../api/session.js';
 import type { RunWork, WorkOptions } from '../api/work.js';
 import type { Refusal } from '../api/edit-plan.js';
 import { JobError } from '../core/job-error.js';
@@ -8,52 +8,29 @@ import type { DocumentEdit } from '../model/document-edits.js';
 import { isRenaming, renamed } from '../model/edits.js';
 import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
-import type { ModelFiles } from '../model/model-files.js';
 import type { Settings } from '../model/options.js';
+import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { partsOf } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
+import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import { mayFollow, paceOf, type Pace } from './pace.js';
 import { never } from './place.js';
+import type { Aspect } from './quick-looks.js';
 import { RunPictures } from './run-pictures.js';
+import type { OpenModel, StoreNeeds } from './store-needs.js';
 
 /** What is being done. */
 export type Work = 'idle' | 'running' | 'editing';
 
 /** What fills the page: the pictures of a run need the room of a result. */
-export type Scene = 'welcome' | 'empty' | 'pictures' | 'result';
+export type Scene = 'welcome' | 'empty' | 'check' | 'pictures' | 'result';
 
 /** What can change. */
-export type Topic = 'choice' | 'work' | 'scene' | 'selection';
-
-/** What the store needs of a session. */
-export type OpenModel = Pick<
-  Session,
-  'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
->;
-
-/** A run that is drawn, but not on the page yet. */
-export interface Drawing {
-  /** Puts all of it on the page at once: no two panels may ever show different runs. */
-  show(how: { isRenaming: boolean }): void;
-  /** It is not needed any more. */
-  drop(): void;
-}
-
-export interface StoreNeeds {
-  open(files: ModelFiles): Promise<OpenModel>;
-  /** Null if a later drawing was quicker; rejects if the sheets cannot be drawn. */
-  draw(run: FinishedRun): Promise<Drawing | null>;
-  /** Hears what goes on in the present work. */
-  follow(event: TimedEvent): void;
-  /** Hears all that jobs tell, also those that were ended. */
-  onEvent(event: TimedEvent): void;
-  /** Ends all work; whoever waits for it waits for ever. */
-  life: AbortSignal;
-}
+export type Topic = 'choice' | 'check' | 'work' | 'scene' | 'selection';
 
 /** A change that is not on the page yet. */
 interface Step {
@@ -85,6 +62,7 @@ export class Store {
   readonly choice = new Choice();
   private shownRun: FinishedRun | null = null;
   private session: OpenModel | null = null;
+  private readonly inspector: Inspector;
   /** The session's, of the run on the page. */
   private shownPosition = 0;
   private presentScene: Scene = 'welcome';
@@ -100,6 +78,7 @@ export class Store {
   private readonly listeners: Partial<Record<Topic, (() => void)[]>> = {};
 
   constructor(private readonly needs: StoreNeeds) {
+    this.inspector = new Inspector(needs, () => this.notify('check'));
     needs.life.addEventListener('abort', () => this.cancel());
   }
 
@@ -120,6 +99,11 @@ export class Store {
 
   get scene(): Scene {
     return this.presentScene;
+  }
+
+  /** The chosen model before it is unfolded; null until it was looked at. */
+  get check(): Check | null {
+    return this.inspector.check;
   }
 
   /** Whether parts cannot be changed now, as their numbers are about to. */
@@ -168,6 +152,40 @@ export class Store {
     return true;
   }
 
+  /**
+   * Looks at the chosen model; ends whatever goes on. What was read stays for the run that follows. A file that is
+   * no model is not the chosen one any more.
+   */
+  async inspect(aspect: Aspect): Promise<Ending> {
+    const { model } = this.choice;
+    if (!model) return { type: 'nothing' };
+    const number = this.begin();
+    const inspecting = this.inspector.inspect(model, aspect, this.abort.signal);
+    this.choice.open();
+    this.presentScene = this.shownRun ? 'result' : 'empty';
+    this.notify('choice', 'check', 'work', 'scene');
+    const ending = await inspecting;
+    if (this.needs.life.aborted) return never();
+    if (number !== this.runs) return { type: 'nothing' };
+    this.isRunning = false;
+    if (ending.type === 'inspected') this.choice.accept(ending.check.name);
+    this.endRun(ending);
+    return ending;
+  }
+
+  /** Lets the model that was looked at fill the page, or the run before again. */
+  showCheck(isShown: boolean): void {
+    if (!this.check) return;
+    this.presentScene = isShown ? 'check' : this.restingScene;
+    this.notify('scene', 'check');
+  }
+
+  /** Shows the model that was looked at with so many triangles, unless it is being unfolded. */
+  async preview(aspect: Aspect): Promise<void> {
+    if (this.work !== 'idle') return;
+    await this.check?.show(aspect);
+  }
+
   select(parts: readonly number[]): void {
     this.selected = [...parts].sort((a, b) => a - b);
     this.notify('selection');
@@ -188,13 +206,11 @@ export class Store {
   ): Promise<Ending> {
     const { model } = this.choice;
     if (!model) return { type: 'nothing' };
-    this.cancel();
-    this.abort = new AbortController();
-    this.isRunning = true;
-    const number = ++this.runs;
+    const number = this.begin();
     const pictures = new RunPictures(model.name);
     this.choice.open();
-    this.presentScene = this.shownRun ? 'result' : 'empty';
+    // A model that is being looked at stays until the run has pictures of its own.
+    if (this.presentScene !== 'check') this.presentScene = this.shownRun ? 'result' : 'empty';
     begin(pictures);
     this.notify('choice', 'work', 'scene');
     const ending = await this.runNow({ model, settings, fields }, pictures);
@@ -208,6 +224,7 @@ export class Store {
   /** Ends what is being done. */
   cancel(): void {
     this.abort.abort();
+    this.check?.stop();
   }
 
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
@@ -235,6 +252,14 @@ export class Store {
     });
   }
 
+  /** Ends what is being done for something else, whose number it returns. */
+  private begin(): number {
+    this.cancel();
+    this.abort = new AbortController();
+    this.isRunning = true;
+    return ++this.runs;
+  }
+
   /** Whether an edit gives a part the name that it has. */
   private isNamed(edit: DocumentEdit): boolean {
     if (edit.kind !== 'name') return false;
@@ -259,7 +284,7 @@ export class Store {
     // A whole result is worth more than a part of the next one.
     const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
     try {
-      const session = await this.needs.open(model.files);
+      const session = await this.inspector.open(model);
       await session.runWith(settings, work);
       const { result } = await session.state();
       const run: FinishedRun = {
@@ -293,9 +318,15 @@ export class Store {
   private endRun(ending: Ending): void {
     if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop();
     else this.choice.leave();
-    if (this.shownRun) this.presentScene = 'result';
-    else if (this.presentScene === 'empty') this.presentScene = 'welcome';
-    this.notify('choice', 'work', 'scene');
+    this.presentScene = this.restingScene;
+    this.notify('choice', 'check', 'work', 'scene');
+  }
+
+  /** What fills the page while nothing is being done. */
+  private get restingScene(): Scene {
+    if (this.shownRun) return 'result';
+    if (this.check?.hasToDecide) return 'check';
+    return this.presentScene === 'pictures' ? 'pictures' : 'welcome';
   }
 
   private async step(step: Step): Promise<Ending> {

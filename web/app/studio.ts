@@ -6,6 +6,9 @@ import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { changedSettings, type Options } from '../api/written-options.js';
 import { missingSupport } from './browser-support.js';
+import { Checking } from './checking.js';
+import { triangleWords } from './check-words.js';
+import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
 import type { Ending, Failure } from './ending.js';
 import { FilePicker } from './file-picker.js';
@@ -26,7 +29,8 @@ import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
 import { StepsPanel } from './steps-panel.js';
-import { type Drawing, Store } from './store.js';
+import { Store } from './store.js';
+import type { Drawing } from './store-needs.js';
 import { listenForUndo } from './undo-keys.js';
 import { Workshop } from './workshop.js';
 
@@ -63,7 +67,7 @@ export interface StudioListener {
 export class Studio extends Panel {
   private readonly store: Store;
   private readonly message = new MessagePanel(this.place);
-  private readonly form = new OptionsForm(this.place, () => void this.unfold());
+  private readonly form = new OptionsForm(this.place, () => void this.submit());
   private readonly settings = new PendingSettings(this.place);
   private readonly gallery = new SampleGallery(this.place, (model) => {
     void this.choose(model);
@@ -71,6 +75,7 @@ export class Studio extends Panel {
   private readonly choice = new ModelChoice(this.place, this.form, this.gallery);
   private readonly progress = new ProgressPanel(this.place, () => this.store.cancel());
   private readonly workshop: Workshop;
+  private readonly checking: Checking;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly welcome = this.find('#welcome', HTMLElement);
@@ -88,6 +93,7 @@ export class Studio extends Panel {
     const pick = (part: number): void => this.store.toggle(part);
     const sheets = new SheetList(place, pick);
     this.workshop = new Workshop(place, pick);
+    this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
       show: (time) => this.workshop.fold(time),
@@ -140,7 +146,7 @@ export class Studio extends Panel {
 
   /** Fetches a model from an address, which may be relative to `base`, and unfolds it. */
   load(address: string, base: string): void {
-    if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life));
+    if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life), false);
   }
 
   private makeStore(): Store {
@@ -165,16 +171,49 @@ export class Studio extends Panel {
   }
 
   private setScene(): void {
-    const { scene } = this.store;
+    const { scene, run, work } = this.store;
     this.welcome.hidden = scene !== 'welcome';
     this.result.open = scene === 'result';
-    this.workshop.open = scene === 'pictures';
+    this.workshop.open = scene === 'pictures' || scene === 'check';
+    // A model that was looked at has had its picture.
+    if (scene === 'result' && work === 'idle' && run) this.comeBack(run);
   }
 
-  /** Takes a model and unfolds it. */
-  private async choose(coming: Promise<ChosenModel>): Promise<void> {
+  /** Takes a model and unfolds it, or holds it where there is something to decide before. */
+  private async choose(coming: Promise<ChosenModel>, mayHold = true): Promise<void> {
     const isTaken = await this.store.choose(coming).catch((error: unknown) => this.explain(error));
-    if (isTaken === true) await this.unfold();
+    if (isTaken === true) await this.inspect(mayHold);
+  }
+
+  /** Unfolds what is chosen; what nobody has looked at, nor is looking at, is looked at first. */
+  private async submit(): Promise<void> {
+    const { check, choice, run, work } = this.store;
+    const isUnfolded = run !== null && run.model.files === choice.model?.files;
+    if (check || isUnfolded || work === 'running') await this.unfold();
+    else await this.inspect(true);
+  }
+
+  private async inspect(mayHold: boolean): Promise<void> {
+    const { model } = this.store.choice;
+    if (!model) return;
+    this.message.clear();
+    if (this.form.isValid) this.progress.begin(model.name);
+    const ending = await this.store.inspect(this.checking.ownAspect);
+    if (ending.type === 'nothing') return;
+    if (ending.type !== 'inspected') return this.leave(ending, model);
+    const { check } = ending;
+    const holds = mayHold && check.hasToDecide;
+    this.checking.propose(check);
+    if (holds) return this.hold(check);
+    if (!this.form.isValid) this.progress.end('');
+    await this.unfold();
+  }
+
+  /** Shows a model before it is unfolded, and waits for the person. */
+  private hold({ faces, proposal }: Check): void {
+    this.store.showCheck(true);
+    this.progress.end(`Check the model. ${triangleWords(faces, proposal)}`);
+    void this.checking.reveal();
   }
 
   private async unfold(): Promise<void> {
@@ -188,6 +227,8 @@ export class Studio extends Panel {
       this.workshop.begin(pictures),
     );
     if (ending.type === 'shown') await this.tellRun(ending);
+    // Only fewer triangles help.
+    else if (ending.type === 'failed' && ending.code === tooManyFaces) await this.inspect(true);
     else if (ending.type !== 'nothing') this.leave(ending, model);
   }
 

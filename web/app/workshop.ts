@@ -7,6 +7,17 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { RunPictures } from './run-pictures.js';
 
+/** A model before it is unfolded. */
+export interface Preview {
+  name: string;
+  vertices: Float32Array;
+  faces: Int32Array;
+  /** Parts in whose colours faces are marked; -1 is blank paper. */
+  labels: Int32Array;
+  /** Whether it is the model before with another number of triangles. */
+  isSame: boolean;
+}
+
 /**
  * Where a run can be watched: the model, its foldability, the net under search and its fitness.
  * When a result arrives, the model moves beside it and the other pictures below it.
@@ -34,6 +45,11 @@ export class Workshop extends Panel {
   /** Shows the room in which a run is watched. */
   set open(open: boolean) {
     this.room.hidden = !open;
+  }
+
+  /** Leaves the room to the model alone, or not. */
+  set checking(checking: boolean) {
+    this.room.toggleAttribute('data-check', checking);
   }
 
   /** Loads what the pictures need, for a run that will come. */
@@ -76,6 +92,18 @@ export class Workshop extends Panel {
       default:
         break;
     }
+  }
+
+  /** Shows a model that is not unfolded yet. */
+  preview({ name, vertices, faces, labels, isSame }: Preview): void {
+    this.shownPictures = null;
+    this.note.hidden = true;
+    this.model.prepare();
+    this.model.preview(name, { vertices, faces }, isSame);
+    this.model.paint(labels);
+    if (isSame) return;
+    this.views.append(this.model.figure);
+    this.model.turn(true);
   }
 
   /** Whether the panels show what belongs to a result. */

@@ -15,7 +15,7 @@ export interface StudioEventMap {
 }
 
 /** Names of the attributes that fill in fields. */
-const presets = ['parts', 'seed', 'paper'] as const satisfies readonly (keyof Preset)[];
+const presets = ['parts', 'seed', 'paper', 'faces'] as const satisfies readonly (keyof Preset)[];
 
 /** Languages that the studio speaks, the first one where it does not speak the one asked for. */
 const languages = ['en'] as const;
@@ -43,8 +43,8 @@ function styleSheet(): CSSStyleSheet {
  *
  * | attribute | |
  * |---|---|
- * | `src` | address of a model, from the page; it is fetched and unfolded whenever this is set |
- * | `parts`, `seed`, `paper` | fill in the fields of these names, as the command line's options do; `paper` may also be WxH in mm |
+ * | `src` | address of a model, from the page; it is fetched and unfolded whenever this is set, one of more than 2000 triangles simplified to 1500 unless `faces` says otherwise |
+ * | `parts`, `seed`, `paper`, `faces` | fill in the fields of these names, as the command line's options do; `paper` may also be WxH in mm |
  * | `lang` | language of the words; English for all so far |
  * | `workers` | number of engine workers, 1 to 64; counts for the first studio that needs them |
  * | `whole-page` | the page is for nothing else: files dropped anywhere and Escape pressed anywhere are for the studio |

@@ -21,8 +21,16 @@ export interface Folding {
 
 /** What a picture of a model is told, in plain data: another thread may be the one that draws. */
 export type ModelMessage =
-  /** Another model, as blank paper, from the first point of view. 3 numbers per vertex and face. */
-  | { type: 'model'; vertices: Float32Array | Float64Array; faces: Int32Array }
+  /**
+   * Another model, as blank paper, from the first point of view unless that of the model before stays. 3 numbers
+   * per vertex and face.
+   */
+  | {
+      type: 'model';
+      vertices: Float32Array | Float64Array;
+      faces: Int32Array;
+      keepsView?: boolean;
+    }
   /** The parts of the faces; -1 is blank paper. Those of another model are ignored. */
   | { type: 'labels'; labels: Int32Array }
   /** Parts that stand out; all others fade, unless there are none. */

@@ -120,12 +120,12 @@ export class ModelScene {
     this.renderer.forceContextLoss();
   }
 
-  private show({ vertices, faces }: Extract<ModelMessage, { type: 'model' }>): void {
+  private show({ vertices, faces, keepsView }: Extract<ModelMessage, { type: 'model' }>): void {
     this.looks.show(null);
     this.mesh.show(vertices, faces);
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
-    this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
+    if (!keepsView) this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
   }
 
   private pick(x: number, y: number): void {

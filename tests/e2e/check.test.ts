@@ -1,0 +1,170 @@
+/** A model is looked at before it is unfolded, and shown where there is something to decide. */
+import { expect, test } from 'vitest';
+import { cube } from '../web/fixtures.js';
+import { objText, wavyRing } from '../web/model-text.js';
+import { resultIn, withElementPage } from './element-page.js';
+import { useStudio } from './studio-fixture.js';
+import { phone, type StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+
+/** Of 5000 triangles. */
+const large = objText(wavyRing(50));
+
+/** Waits until the picture has so many triangles. */
+async function picturesHave({ page }: StudioPage, least: number, most: number): Promise<void> {
+  const isThere = async (): Promise<boolean> => {
+    const words = await page.locator('#check-look').innerText();
+    const triangles = Number(/^The picture has ([\d,]+)/.exec(words)?.[1]?.replace(',', ''));
+    return triangles >= least && triangles <= most;
+  };
+  await expect.poll(isThere, { timeout: 20_000 }).toBe(true);
+}
+
+async function holds(studio: StudioPage, name: string): Promise<void> {
+  await studio.page.locator('#check').waitFor();
+  await studio.page.locator('#model-name', { hasText: name }).waitFor();
+}
+
+function trianglesOf({ page }: StudioPage): Promise<string> {
+  return page.locator('#facts div').filter({ hasText: 'Triangles' }).locator('dd').innerText();
+}
+
+test('a large model is held with fewer triangles set, which can be changed before it is unfolded', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const faces = page.locator('#faces');
+    const pressed = page.locator('#check-levels [aria-pressed="true"]');
+    await studio.choose('ring.obj', large);
+    await holds(studio, 'ring.obj');
+    expect(await page.locator('#check-why').innerText()).toContain(
+      'This model has 5000 triangles.',
+    );
+    expect(await faces.inputValue()).toBe('1500');
+    expect(await faces.getAttribute('data-proposed')).toBe('');
+    expect(await pressed.allInnerTexts()).toEqual(['1500']);
+    await picturesHave(studio, 1400, 1500);
+    await studio.drawn('#model-picture');
+    expect(await page.locator('#progress').isVisible()).toBe(false);
+
+    await page.getByRole('button', { name: '200', exact: true }).click();
+    await picturesHave(studio, 150, 200);
+    await page.locator('#check-faces').press('ArrowRight');
+    expect(await faces.inputValue()).toBe('250');
+    await picturesHave(studio, 201, 250);
+    await page.getByRole('button', { name: 'as it is: 5000' }).click();
+    expect(await faces.inputValue()).toBe('');
+    await picturesHave(studio, 5000, 5000);
+
+    expect(await page.locator('#check-drawing').isVisible()).toBe(false);
+    await page.getByRole('button', { name: '15 cm', exact: true }).click();
+    expect(await page.locator('#check-drawing').isVisible()).toBe(true);
+    expect(await page.locator('#check-size-words').innerText()).toMatch(/^15 cm high/);
+    expect(await page.locator('#size').inputValue()).toBe('150');
+
+    await page.getByRole('button', { name: '500', exact: true }).click();
+    await studio.picture('check');
+    await page.locator('#check').getByRole('button', { name: 'Unfold' }).click();
+    await studio.resultOf('ring');
+    expect(Number(await trianglesOf(studio))).toBeLessThanOrEqual(500);
+    expect(await page.locator('#check').isVisible()).toBe(false);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('what was set for a model leaves with it, and a small model is unfolded at once', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await studio.choose('ring.obj', large);
+    await holds(studio, 'ring.obj');
+    await studio.chooseSample('Cube');
+    await studio.resultOf('cube');
+    expect(await page.locator('#faces').inputValue()).toBe('');
+    expect(await page.locator('#check, #check-again').filter({ visible: true }).count()).toBe(0);
+
+    // A number that a person writes stays, and is an answer already.
+    await page.getByText('More options').click();
+    await page.fill('#faces', '300');
+    await studio.choose('ring.obj', large);
+    await studio.resultOf('ring');
+    expect(Number(await trianglesOf(studio))).toBeLessThanOrEqual(300);
+    expect(await page.locator('#faces').inputValue()).toBe('300');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a held model can be left for the nets before, and a file that is none changes nothing', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await studio.chooseSample('Cube');
+    await studio.resultOf('cube');
+    await studio.choose('ring.obj', large);
+    await holds(studio, 'ring.obj');
+    expect(await page.locator('#result').isVisible()).toBe(false);
+    await page.getByRole('button', { name: 'Back to the nets' }).click();
+    await page.locator('#result #model-name', { hasText: 'cube.obj' }).waitFor();
+    expect((await studio.download('FOLD')).name).toBe('cube.fold');
+
+    await studio.choose('broken.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n');
+    expect(await studio.message()).toContain('“broken.obj” could not be unfolded');
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: ring.obj');
+    expect(await page.locator('#faces').inputValue()).toBe('1500');
+    await page.getByRole('button', { name: 'Check the model again' }).click();
+    await holds(studio, 'ring.obj');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('tiny bodies are told before they are unfolded', () =>
+  withStudio(
+    async (studio) => {
+      const { page } = studio;
+      const bodies = [1, 0.01, 0.9].map((size, i) => ({
+        vertices: cube.vertices.map(([x, y, z]) => [size * x! + 100 * i, size * y!, size * z!]),
+        faces: cube.faces.map((face) => face.map((vertex) => vertex + i * cube.vertices.length)),
+      }));
+      const [vertices, faces] = [bodies.flatMap((b) => b.vertices), bodies.flatMap((b) => b.faces)];
+      await studio.choose('bodies.obj', objText({ vertices, faces }));
+      await holds(studio, 'bodies.obj');
+      expect(await page.locator('#check-bodies').innerText()).toMatch(
+        /3 separate.* 1 of them is tiny/,
+      );
+      expect(await page.locator('#faces').inputValue()).toBe('');
+      await page.locator('#unfold').click();
+      await studio.resultOf('bodies');
+      expect(studio.complaints).toEqual([]);
+    },
+    { viewport: phone },
+  ));
+
+test('who unfolds a model while it is looked at gets it as it is asked for', () =>
+  withStudio(
+    async (studio) => {
+      const { page } = studio;
+      await studio.choose('ring.obj', objText(wavyRing(33)));
+      await page.getByText('Opening: ring.obj').waitFor();
+      await page.locator('#unfold').click();
+      await studio.resultOf('ring');
+      expect(await trianglesOf(studio)).toBe('2178');
+    },
+    // Slow to start, so that there is time.
+    { workerScript: 'for (const end = performance.now() + 2000; performance.now() < end; ) {}\n' },
+  ));
+
+test('an element with a large model unfolds what is proposed, or what it says', () =>
+  withElementPage(
+    {
+      markup: `<foldwright-studio id="one" src="ring.obj"></foldwright-studio>
+        <foldwright-studio id="two" src="ring.obj" faces="200"></foldwright-studio>`,
+      files: { 'shop/ring.obj': large },
+    },
+    async ({ page, complaints }) => {
+      for (const [id, most] of [
+        ['#one', 1500],
+        ['#two', 200],
+      ] as const) {
+        const studio = page.locator(id);
+        await resultIn(studio, 'ring');
+        const fact = studio.locator('#facts div').filter({ hasText: 'Triangles' }).locator('dd');
+        expect(Number(await fact.innerText())).toBeLessThanOrEqual(most);
+      }
+      expect(complaints).toEqual([]);
+    },
+  ));

@@ -1,0 +1,32 @@
+/** Separate bodies of a mesh. */
+import { describe, expect, it } from 'vitest';
+import { componentsOf, isTiny, sidesOf } from '../../web/model/components.js';
+import { cube } from './fixtures.js';
+
+/** Two cubes, the second one a hundredth as large and to the right. */
+const vertices = Float32Array.from([
+  ...cube.vertices.flat(),
+  ...cube.vertices.flatMap(([x, y, z]) => [x! / 100 + 100, y! / 100, z! / 100]),
+]);
+const first = cube.faces.flat();
+const second = first.map((vertex) => vertex + cube.vertices.length);
+
+describe('componentsOf', () => {
+  it('tells bodies apart whatever the order of their faces', () => {
+    const mixed = first.flatMap((_, i) =>
+      i % 3 === 0 ? [...first.slice(i, i + 3), ...second.slice(i, i + 3)] : [],
+    );
+    const { components, ofFaces } = componentsOf(vertices, Int32Array.from(mixed));
+    expect(components.map(({ faces }) => faces)).toEqual([12, 12]);
+    expect(components[0]!.longestSide).toBe(40);
+    expect(components[1]!.longestSide).toBeCloseTo(0.4, 4);
+    expect([...ofFaces]).toEqual(Array.from({ length: 24 }, (_, face) => face % 2));
+    const longest = Math.max(...sidesOf(vertices));
+    expect(components.map((component) => isTiny(component, longest))).toEqual([false, true]);
+  });
+
+  it('finds none in nothing', () => {
+    expect(componentsOf(new Float32Array(), new Int32Array()).components).toEqual([]);
+    expect(sidesOf(new Float32Array())).toEqual([0, 0, 0]);
+  });
+});

@@ -1,0 +1,63 @@
+/** A look at a model before it is unfolded. */
+import type { TimedEvent } from '../core/protocol.js';
+import { componentsOf, type Component } from '../model/components.js';
+import type { JobOptions } from '../model/job-options.js';
+import type { Message } from '../model/message.js';
+import type { OpenedModel } from './opened-model.js';
+
+/** What a model turns out to be. */
+export interface Inspection {
+  /** Name of the file that is the model. */
+  file: string;
+  /** Repaired, and simplified if that was asked for; in units of the file, y is up. */
+  model: {
+    /** 3 per vertex. */
+    vertices: Float32Array;
+    /** 3 per face, counter-clockwise from outside. */
+    faces: Int32Array;
+  };
+  /** What was repaired and what cannot be, as messages. */
+  repairs: readonly Message[];
+  /** Its separate bodies. */
+  components: readonly Component[];
+  /** Per face: the component that it belongs to, from 0. */
+  componentOfFaces: Int32Array;
+}
+
+type ModelEvent = Extract<TimedEvent, { type: 'model' }>;
+
+function inspectionOf({ file, vertices, faces }: ModelEvent, repairs: Message[]): Inspection {
+  const { components, ofFaces } = componentsOf(vertices, faces);
+  return { file, model: { vertices, faces }, repairs, components, componentOfFaces: ofFaces };
+}
+
+/**
+ * Reads, repairs and simplifies a model as a run with these options would: with a job that is ended as soon as it
+ * has told of the model. The workers are free again shortly afterwards.
+ *
+ * Rejects with a `JobError` for a model that cannot be read or used, and with the signal's reason at once after an
+ * abort.
+ */
+export function inspectModel(
+  opened: OpenedModel,
+  options: JobOptions,
+  signal?: AbortSignal,
+): Promise<Inspection> {
+  const end = new AbortController();
+  const stop = (): void => end.abort(signal?.reason);
+  signal?.throwIfAborted();
+  signal?.addEventListener('abort', stop, { once: true });
+  return new Promise<Inspection>((resolve, reject) => {
+    const repairs: Message[] = [];
+    const onEvent = (event: TimedEvent): void => {
+      if (end.signal.aborted) return;
+      if (event.type === 'notice') repairs.push({ code: event.code, params: event.params });
+      if (event.type !== 'model') return;
+      // Repairs are told before the model, and nothing else is wanted of the job.
+      resolve(inspectionOf(event, repairs));
+      end.abort();
+    };
+    // After the model was told the rejection is that of the end, and nobody hears it.
+    opened.run(options, { signal: end.signal, onEvent }).catch(reject);
+  }).finally(() => signal?.removeEventListener('abort', stop));
+}

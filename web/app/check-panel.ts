@@ -1,0 +1,122 @@
+import { faceLevels } from '../model/face-numbers.js';
+import type { Settings } from '../model/options.js';
+import type { Check } from './check.js';
+import {
+  bodyWords,
+  boundWords,
+  large,
+  lookWords,
+  repairWords,
+  triangleWords,
+} from './check-words.js';
+import { make } from './dom.js';
+import type { FacesField } from './faces-field.js';
+import { Panel } from './panel.js';
+import type { StudioPlace } from './place.js';
+import type { SizeFields } from './size-fields.js';
+import { SizeCheck } from './size-check.js';
+
+/** Ends and steps of the slider: below is no shape, above no paper model. */
+const slider = { least: 100, most: 3000, step: 50 } as const;
+
+/** A list with its heading, which is there only with something in it. */
+function fillList(list: HTMLElement, sentences: readonly string[]): void {
+  const items = sentences.map((textContent) => make('li', { textContent }));
+  list.querySelector('ul')?.replaceChildren(...items);
+  list.hidden = items.length === 0;
+}
+
+/** What there is to decide and to know about a model before it is unfolded, beside its picture. */
+export class CheckPanel extends Panel {
+  private readonly card = this.find('#check', HTMLElement);
+  private readonly why = this.find('#check-why', HTMLElement);
+  private readonly levels = this.find('#check-levels', HTMLElement);
+  private readonly slider = this.find('#check-faces', HTMLInputElement);
+  private readonly number = this.find('#check-number', HTMLOutputElement);
+  private readonly look = this.find('#check-look', HTMLElement);
+  private readonly bound = this.find('#check-bound', HTMLElement);
+  private readonly bodies = this.find('#check-bodies', HTMLElement);
+  private readonly repaired = this.find('#check-repaired', HTMLElement);
+  private readonly remaining = this.find('#check-remaining', HTMLElement);
+  private readonly back = this.find('#check-back', HTMLButtonElement);
+  private readonly size: SizeCheck;
+
+  /** @param onBack leaves the model for the nets that were on the page before */
+  constructor(
+    place: StudioPlace,
+    private readonly faces: FacesField,
+    sizes: SizeFields,
+    onBack: () => void,
+  ) {
+    super(place);
+    this.size = new SizeCheck(place, sizes);
+    this.slider.addEventListener('input', () => this.faces.set(this.slider.valueAsNumber));
+    this.levels.addEventListener('click', ({ target }) => {
+      if (!(target instanceof HTMLButtonElement)) return;
+      this.faces.set(target.value === 'off' ? 'off' : Number(target.value));
+    });
+    this.back.addEventListener('click', onBack);
+  }
+
+  /** Shows the card, or puts it away. */
+  set open(open: boolean) {
+    this.card.hidden = !open;
+  }
+
+  /** Makes the card anew for a model. @param canLeave whether there are nets to go back to */
+  begin(check: Check, canLeave: boolean): void {
+    this.back.hidden = !canLeave;
+    this.why.textContent = triangleWords(check.faces, check.proposal);
+    this.find('#check-triangles', HTMLElement).hidden = check.faces <= faceLevels[0];
+    this.levels.replaceChildren(...this.levelButtons(check));
+    const most = Math.min(slider.most, Math.floor(check.faces / slider.step) * slider.step);
+    Object.assign(this.slider, { min: slider.least, max: most, step: slider.step });
+    this.find('#check-slider', HTMLElement).hidden = most <= slider.least;
+    this.bound.hidden = check.isSearchable;
+    this.bound.textContent = check.isSearchable ? '' : boundWords(check.faces);
+    this.bodies.textContent = bodyWords(check.bodies, check.tinyBodies);
+    this.bodies.hidden = this.bodies.textContent === '';
+    const { repaired, remaining } = repairWords(check.repairs);
+    fillList(this.repaired, repaired);
+    fillList(this.remaining, remaining);
+    this.update(check);
+  }
+
+  /** Shows what the fields say now, and what the picture shows of it. */
+  update(check: Check): void {
+    const faces = this.faces.value;
+    for (const button of this.levels.querySelectorAll('button')) {
+      button.setAttribute('aria-pressed', String(button.value === String(faces)));
+    }
+    const shown = Math.min(faces === 'off' ? check.faces : faces, check.faces);
+    this.slider.value = String(shown);
+    this.number.textContent = large(shown);
+    this.slider.setAttribute('aria-valuetext', wordsFor(faces, check));
+    const seen = check.look ? check.look.model.faces.length / 3 : null;
+    const words = lookWords(seen, check.working, wordsFor(faces, check));
+    // Only what is new is spoken.
+    if (this.look.textContent !== words) this.look.textContent = words;
+    this.size.update(check.outline);
+  }
+
+  private levelButtons(check: Check): HTMLButtonElement[] {
+    const button = (value: Settings['faces'], words: string): HTMLButtonElement =>
+      make('button', {
+        type: 'button',
+        className: 'button',
+        value: String(value),
+        textContent: words,
+      });
+    const levels = faceLevels.filter((level) => level < check.faces);
+    const whole = button('off', `as it is: ${large(check.faces)}`);
+    whole.disabled = !check.isSearchable;
+    if (whole.disabled) whole.setAttribute('aria-describedby', this.bound.id);
+    return [...levels.map((level) => button(level, large(level))), whole];
+  }
+}
+
+/** A number of triangles as it is asked for. */
+function wordsFor(faces: Settings['faces'], check: Check): string {
+  const isAll = faces === 'off' || faces >= check.faces;
+  return isAll ? `all ${large(check.faces)} triangles` : `${large(faces)} triangles`;
+}

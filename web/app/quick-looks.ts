@@ -1,0 +1,93 @@
+import type { Inspection } from '../api/inspect.js';
+import type { Session } from '../api/session.js';
+import type { ModelFiles } from '../model/model-files.js';
+import type { Settings } from '../model/options.js';
+
+/** What decides how a model looks before it is unfolded. */
+export type Aspect = Pick<Settings, 'faces' | 'up'>;
+
+/** What can look at a model. */
+export type Looker = Pick<Session, 'inspect'>;
+
+/** Opens files to look at them. */
+export type OpenLooker = (files: ModelFiles) => Promise<Looker>;
+
+/** Simplifying a model takes about a second for 70,000 triangles; of those with more than this one makes a copy first. */
+const largestQuick = 12_000;
+
+/** Triangles of the copy: simplified further they look as those of the model itself do, in a tenth of a second. */
+const copyFaces = 6000;
+
+/** The copy must be finer than what is made of it. */
+const finestOfCopy = copyFaces / 2;
+
+/** A copy of a model for one choice of what is up. */
+interface Copy {
+  up: Aspect['up'];
+  looker: Promise<Looker>;
+}
+
+/** Digits that a float has. */
+const digits = 8;
+
+/** A mesh as an OFF file. */
+function offOf({ vertices, faces }: Inspection['model']): Uint8Array {
+  const lines = ['OFF', `${vertices.length / 3} ${faces.length / 3} 0`];
+  for (let i = 0; i < vertices.length; i += 3) {
+    const point = Array.from(vertices.subarray(i, i + 3), (value) => value.toPrecision(digits));
+    lines.push(point.join(' '));
+  }
+  for (let i = 0; i < faces.length; i += 3) lines.push(`3 ${faces.subarray(i, i + 3).join(' ')}`);
+  return new TextEncoder().encode(`${lines.join('\n')}\n`);
+}
+
+/**
+ * Shows what a number of triangles makes of a model while someone looks for the right one. Few triangles of a
+ * large model are made from a coarser copy of it, which is quick: the run itself starts from the model, and may
+ * place a corner otherwise.
+ */
+export class QuickLooks {
+  private copy: Copy | null = null;
+  private end = new AbortController();
+
+  constructor(
+    private readonly looker: Looker,
+    private readonly open: OpenLooker,
+  ) {}
+
+  /**
+   * Rejects as `Session.inspect` does. An abort ends the look, but not a copy that is being made for it.
+   *
+   * @param size triangles of the whole model; 0 if that is not known
+   */
+  async inspect(aspect: Aspect, size: number, signal: AbortSignal): Promise<Inspection> {
+    const { faces, up } = aspect;
+    if (size <= largestQuick || faces === 'off' || faces > finestOfCopy) {
+      return this.looker.inspect(aspect, { signal });
+    }
+    const copy = await this.copyFor(up);
+    return copy.inspect({ faces, up: 'y' }, { signal });
+  }
+
+  /** Frees the workers of what goes on. */
+  stop(): void {
+    this.end.abort();
+    this.end = new AbortController();
+  }
+
+  private copyFor(up: Aspect['up']): Promise<Looker> {
+    if (this.copy?.up === up) return this.copy.looker;
+    const copy: Copy = { up, looker: this.makeCopy(up) };
+    this.copy = copy;
+    copy.looker.catch(() => {
+      if (this.copy === copy) this.copy = null;
+    });
+    return copy.looker;
+  }
+
+  private async makeCopy(up: Aspect['up']): Promise<Looker> {
+    const { signal } = this.end;
+    const { model } = await this.looker.inspect({ faces: copyFaces, up }, { signal });
+    return this.open([{ name: 'copy.off', bytes: offOf(model) }]);
+  }
+}

@@ -1,0 +1,119 @@
+/** The separate bodies of a mesh. */
+
+/** A body: faces that hang together. */
+export interface Component {
+  faces: number;
+  /** The longest side of its bounding box, in units of the mesh. */
+  longestSide: number;
+}
+
+export interface Components {
+  /** In the order of their first faces. */
+  components: Component[];
+  /** Per face: the component that it belongs to, from 0. */
+  ofFaces: Int32Array;
+}
+
+/** A body whose longest side is less than this share of the model's is a crumb or a screw, not a part to build. */
+const tinyShare = 0.03;
+
+/** Groups of vertices, each with a tree of its own. */
+class Groups {
+  private readonly parents: Int32Array;
+
+  constructor(size: number) {
+    this.parents = Int32Array.from({ length: size }, (_, i) => i);
+  }
+
+  /** The one vertex that stands for the group of a vertex. */
+  rootOf(vertex: number): number {
+    const { parents } = this;
+    let root = vertex;
+    while (parents[root] !== root) {
+      // Halves the way for the next one who goes it.
+      parents[root] = parents[parents[root]!]!;
+      root = parents[root]!;
+    }
+    return root;
+  }
+
+  join(a: number, b: number): void {
+    this.parents[this.rootOf(a)] = this.rootOf(b);
+  }
+}
+
+/** Bounding boxes of groups of points as they grow. */
+class Boxes {
+  private readonly low: Float64Array;
+  private readonly high: Float64Array;
+
+  constructor(count: number) {
+    this.low = new Float64Array(3 * count).fill(Infinity);
+    this.high = new Float64Array(3 * count).fill(-Infinity);
+  }
+
+  /** Takes a vertex into a box. */
+  add(box: number, vertices: Float32Array | Float64Array, vertex: number): void {
+    for (let axis = 0; axis < 3; ++axis) {
+      const value = vertices[3 * vertex + axis]!;
+      const at = 3 * box + axis;
+      if (value < this.low[at]!) this.low[at] = value;
+      if (value > this.high[at]!) this.high[at] = value;
+    }
+  }
+
+  /** Width, height and depth of a box. */
+  sides(box: number): [number, number, number] {
+    const side = (at: number): number => Math.max(0, this.high[at]! - this.low[at]!);
+    return [side(3 * box), side(3 * box + 1), side(3 * box + 2)];
+  }
+}
+
+/** Width, height and depth of the vertices' bounding box, in their units. */
+export function sidesOf(vertices: Float32Array | Float64Array): [number, number, number] {
+  const boxes = new Boxes(1);
+  for (let vertex = 0; vertex < vertices.length / 3; ++vertex) boxes.add(0, vertices, vertex);
+  return boxes.sides(0);
+}
+
+/**
+ * Finds the faces that hang together by their vertices, which in a repaired mesh is the same as by their edges.
+ * Cost: nearly linear, about 10 ms for 100,000 faces.
+ *
+ * @param vertices 3 numbers per vertex
+ * @param faces 3 vertices per face
+ */
+export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32Array): Components {
+  const groups = new Groups(vertices.length / 3);
+  for (let i = 0; i < faces.length; i += 3) {
+    groups.join(faces[i]!, faces[i + 1]!);
+    groups.join(faces[i]!, faces[i + 2]!);
+  }
+  /** By the vertices that stand for groups: 1 more than the number of the component, or 0. */
+  const numbers = new Int32Array(vertices.length / 3);
+  const faceCounts: number[] = [];
+  const ofFaces = new Int32Array(faces.length / 3);
+  for (let face = 0; face < ofFaces.length; ++face) {
+    const root = groups.rootOf(faces[3 * face]!);
+    numbers[root] ||= faceCounts.push(0);
+    const component = numbers[root] - 1;
+    ++faceCounts[component]!;
+    ofFaces[face] = component;
+  }
+  const boxes = new Boxes(faceCounts.length);
+  for (let vertex = 0; vertex < numbers.length; ++vertex) {
+    const number = numbers[groups.rootOf(vertex)]!;
+    // A vertex without faces is of no body.
+    if (number > 0) boxes.add(number - 1, vertices, vertex);
+  }
+  const components = faceCounts.map((count, component) => ({
+    faces: count,
+    longestSide: Math.max(...boxes.sides(component)),
+  }));
+  return { components, ofFaces };
+}
+
+/** Whether a body is tiny in a model whose longest side is given. */
+export function isTiny({ longestSide }: Component, modelSide: number): boolean {
+  return longestSide < tinyShare * modelSide;
+}
