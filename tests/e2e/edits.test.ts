@@ -122,8 +122,9 @@ test('a click on the model or on a sheet chooses a part', () =>
     await open(studio, 2);
     await studio.drawn('#model-picture');
     const box = (await page.locator('#model-picture').boundingBox())!;
-    // The ring is seen from above: left of the middle is its nearer tube.
-    await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.5 * box.height);
+    // The ring is seen from the front, and as high as the picture allows: its tube is left of the middle.
+    const left = box.x + 0.5 * box.width - 0.27 * box.height;
+    await page.mouse.click(left, box.y + 0.5 * box.height);
     await expect.poll(() => chosen(page).then(({ length }) => length)).toBe(1);
     const [picked] = await chosen(page);
     await page.mouse.click(box.x + 2, box.y + 2);

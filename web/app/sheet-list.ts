@@ -59,10 +59,10 @@ export class SheetList extends Panel {
   /** @param onPick is told the part of the piece that was clicked */
   constructor(place: StudioPlace, onPick: (part: number) => void) {
     super(place);
-    this.zoom.addEventListener('input', () => this.resize());
-    // Where there is little room, a sheet is at first as wide as it.
-    const { clientWidth } = this.find('.studio', HTMLElement);
-    this.zoom.value = String(Math.min(this.zoom.valueAsNumber, clientWidth - 32));
+    this.zoom.addEventListener('input', () => {
+      this.list.toggleAttribute('data-fitted', false);
+      this.resize();
+    });
     this.list.addEventListener('click', ({ target }) => {
       const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
       const picked = this.pieces.find(({ name }) => name === area);
