@@ -9,7 +9,7 @@ import { writeSvg } from '../../web/export/svg.js';
 import type { JobResult } from '../../web/model/job.js';
 import type { Machine, PrintOptions } from '../../web/model/print-options.js';
 import { boxAndLidResult, cubeResult } from './fixtures.js';
-import { colouredCube, materialOf, picturedCube, sideColours } from './looked-cube.js';
+import { colouredCube, picturedCube, sideColours } from './looked-cube.js';
 import { readPdf } from './pdf-file.js';
 import { printOf } from './printed.js';
 
@@ -180,9 +180,6 @@ describe('pieces in the colours of the model', () => {
   it('are printed where there are some, unless they are switched off', async () => {
     expect((await drawn(colouredCube(), { texture: 'off' })).has('texture')).toBe(false);
     expect((await drawn(cubeResult())).has('texture')).toBe(false);
-    const white = colouredCube();
-    white.looks!.materials = [materialOf([255, 255, 255])];
-    expect((await drawn(white)).has('texture')).toBe(false);
     expect(await noticesOf(cubeResult(), { texture: 'on' })).toEqual(['no-looks']);
     expect(await noticesOf(cubeResult(), { texture: 'auto' })).toEqual([]);
     expect(await noticesOf(colouredCube(), { texture: 'on' })).toEqual([]);

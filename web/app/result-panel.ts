@@ -1,4 +1,3 @@
-import { hasLooks } from '../model/has-looks.js';
 import type { Notice } from '../model/job.js';
 import { resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
@@ -136,7 +135,7 @@ export class ResultPanel extends Panel {
     this.shownRun = { run, writer };
     if (isSameLook(settings, changedSettings(settings, this.look))) this.isLookNew = false;
     // What was changed meanwhile is newer than the document.
-    if (!this.isLookNew) this.print.fill(settings, hasLooks(result));
+    if (!this.isLookNew) this.print.fill(settings, result.looks !== undefined);
     else void this.redraw();
   }
 

@@ -1,4 +1,3 @@
-import { hasLooks } from '../model/has-looks.js';
 import type { JobResult, Notice, Piece } from '../model/job.js';
 import {
   isCalibrated,
@@ -74,7 +73,7 @@ async function drawImages(input: PrintInput): Promise<PieceImages> {
   const { options, result, loadRenderer } = input;
   const none: PieceImages = { images: new Map(), notices: [] };
   if (!printsTexture(options)) return none;
-  if (result.looks && hasLooks(result)) {
+  if (result.looks) {
     const { pieceImages } = await import('./texture/piece-images.js');
     return pieceImages(result, result.looks, options, loadRenderer);
   }

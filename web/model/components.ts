@@ -1,4 +1,5 @@
 /** The separate bodies of a mesh. */
+import { Groups } from './groups.js';
 
 /** A body: faces that hang together. */
 export interface Component {
@@ -16,31 +17,6 @@ export interface Components {
 
 /** A body whose longest side is less than this share of the model's is a crumb or a screw, not a part to build. */
 const tinyShare = 0.03;
-
-/** Groups of vertices, each with a tree of its own. */
-class Groups {
-  private readonly parents: Int32Array;
-
-  constructor(size: number) {
-    this.parents = Int32Array.from({ length: size }, (_, i) => i);
-  }
-
-  /** The one vertex that stands for the group of a vertex. */
-  rootOf(vertex: number): number {
-    const { parents } = this;
-    let root = vertex;
-    while (parents[root] !== root) {
-      // Halves the way for the next one who goes it.
-      parents[root] = parents[parents[root]!]!;
-      root = parents[root]!;
-    }
-    return root;
-  }
-
-  join(a: number, b: number): void {
-    this.parents[this.rootOf(a)] = this.rootOf(b);
-  }
-}
 
 /** Bounding boxes of groups of points as they grow. */
 class Boxes {
@@ -86,15 +62,15 @@ export function sidesOf(vertices: Float32Array | Float64Array): [number, number,
 export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32Array): Components {
   const groups = new Groups(vertices.length / 3);
   for (let i = 0; i < faces.length; i += 3) {
-    groups.join(faces[i]!, faces[i + 1]!);
-    groups.join(faces[i]!, faces[i + 2]!);
+    groups.unite(faces[i]!, faces[i + 1]!);
+    groups.unite(faces[i]!, faces[i + 2]!);
   }
   /** By the vertices that stand for groups: 1 more than the number of the component, or 0. */
   const numbers = new Int32Array(vertices.length / 3);
   const faceCounts: number[] = [];
   const ofFaces = new Int32Array(faces.length / 3);
   for (let face = 0; face < ofFaces.length; ++face) {
-    const root = groups.rootOf(faces[3 * face]!);
+    const root = groups.of(faces[3 * face]!);
     numbers[root] ||= faceCounts.push(0);
     const component = numbers[root] - 1;
     ++faceCounts[component]!;
@@ -102,7 +78,7 @@ export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32
   }
   const boxes = new Boxes(faceCounts.length);
   for (let vertex = 0; vertex < numbers.length; ++vertex) {
-    const number = numbers[groups.rootOf(vertex)]!;
+    const number = numbers[groups.of(vertex)]!;
     // A vertex without faces is of no body.
     if (number > 0) boxes.add(number - 1, vertices, vertex);
   }

@@ -243,7 +243,7 @@ export interface JobResult {
   efficiency: number;
   /** Millimetres per unit of the model. */
   scale: number;
-  /** Absent where the files say nothing of it. */
+  /** Absent where the files say nothing of it, or nothing but white. */
   looks?: Looks;
   seams: NamedSeam[];
   flaps: FlapCounts;
