@@ -2,6 +2,9 @@ import type { EdgeAction } from '../model/edge-edits.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
+/** Pixels to be left between the card and what was clicked. */
+const air = 16;
+
 /** What the card says and offers. */
 export interface EdgeCardContent {
   words: string;
@@ -42,9 +45,11 @@ export class EdgeCard extends Panel {
     return this.card.matches(':focus-within');
   }
 
-  /** Lays the card at one end of what is seen of the sheets. */
-  set end(end: 'top' | 'bottom') {
-    this.card.dataset['end'] = end;
+  /** Lays the card at the lower end of what is seen of the sheets, or at the upper one if it would lie over a place there. */
+  keepOff(below: number): void {
+    this.card.dataset['end'] = 'bottom';
+    const { top, bottom } = this.card.getBoundingClientRect();
+    if (below > top - air && below < bottom + air) this.card.dataset['end'] = 'top';
   }
 
   /** Shows an edge, or nothing. */

@@ -18,8 +18,8 @@ const reach = { mm: 3, pixels: 6, leastPixels: 2 };
 export interface EdgeToolListener {
   /** Lights edges on the sheets. */
   light(lights: LightsBySheet): void;
-  /** Scrolls to what is lit on a sheet. */
-  reveal(sheet: number): void;
+  /** Scrolls to what is lit on a sheet; how far that is below the upper end of the window then, in pixels. */
+  reveal(sheet: number): number;
   /** Makes an edit. */
   change(edit: DocumentEdit): Promise<Ending>;
 }
@@ -27,7 +27,6 @@ export interface EdgeToolListener {
 /** Edges on the sheets are pointed at, chosen by a click or by their number, and changed. */
 export class EdgeTool extends Panel {
   private readonly line = this.find('#edge-line', HTMLElement);
-  private readonly sheets = this.find('#sheets', HTMLElement);
   private readonly form = this.find('#edge-form', HTMLFormElement);
   private readonly number = this.find('#edge-number', HTMLInputElement);
   private readonly card: EdgeCard;
@@ -75,7 +74,6 @@ export class EdgeTool extends Panel {
     if (edge === this.pointed) return;
     this.pointed = edge;
     this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
-    this.sheets.toggleAttribute('data-pointing', edge !== null);
     this.light();
   }
 
@@ -86,8 +84,8 @@ export class EdgeTool extends Panel {
       this.close();
       return false;
     }
-    this.card.end = place.height > 0.5 ? 'top' : 'bottom';
     this.choose(edge);
+    this.card.keepOff(place.below);
     return true;
   }
 
@@ -102,10 +100,9 @@ export class EdgeTool extends Panel {
     if (text === '' || !this.edges) return;
     const found = this.edges.numbered(text);
     const edge = found[(found.findIndex((one) => one === this.chosen) + 1) % found.length];
-    this.card.end = 'bottom';
     if (edge) {
       this.choose(edge);
-      this.listener.reveal(edge.sheet);
+      this.card.keepOff(this.listener.reveal(edge.sheet));
       return;
     }
     this.close();

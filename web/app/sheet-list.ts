@@ -159,10 +159,17 @@ export class SheetList extends Panel {
     });
   }
 
-  /** Scrolls the page until a sheet's lit edge is in the middle of the window. */
-  reveal(sheet: number): void {
-    const light = this.sheets[sheet]?.querySelector('[data-lights]');
-    light?.scrollIntoView({ block: 'center', inline: 'center' });
+  /**
+   * Scrolls the page until the first lit edge of a sheet is in the middle of the window, as far as it goes.
+   *
+   * @returns how far it is below the upper end of the window then, in pixels
+   */
+  reveal(sheet: number): number {
+    const light = this.sheets[sheet]?.querySelector('[data-lights] > *');
+    if (!light) return 0;
+    light.scrollIntoView({ block: 'center', inline: 'center' });
+    const { top, height } = light.getBoundingClientRect();
+    return top + height / 2;
   }
 
   /** Lets parts stand out from all others, unless there are none. */

@@ -7,8 +7,8 @@ export interface SheetPlace {
   point: SheetPoint;
   /** How many mm of the sheet one pixel of the page is. */
   mmPerPixel: number;
-  /** Where it is in the window, from 0 (top) to 1 (bottom). */
-  height: number;
+  /** How far it is below the upper end of the window, in pixels. */
+  below: number;
 }
 
 /** Where on the picture of a sheet the pointer is. */
@@ -21,5 +21,5 @@ export function placeOn(
   if (!screen) return null;
   const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(screen.inverse());
   const point = [x, svg.viewBox.baseVal.height - y] as const;
-  return { sheet, point, mmPerPixel: 1 / screen.a, height: clientY / innerHeight };
+  return { sheet, point, mmPerPixel: 1 / screen.a, below: clientY };
 }

@@ -23,7 +23,8 @@ function pathOf({ kind, from, to }: EdgeLight, height: number): string {
 
 /** Lights edges on the picture of a sheet, in place of those that were lit before. */
 export function lightEdges(svg: SVGSVGElement, lights: readonly EdgeLight[]): void {
-  svg.querySelector('[data-lights]')?.remove();
+  // Only its layers are looked through: a search in all that is drawn would take longer than a frame has time for.
+  [...svg.children].find((child) => child.hasAttribute('data-lights'))?.remove();
   if (lights.length === 0) return;
   const { height } = svg.viewBox.baseVal;
   const group = document.createElementNS(svgNamespace, 'g');
