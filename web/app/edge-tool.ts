@@ -64,6 +64,7 @@ export class EdgeTool extends Panel {
     this.edges = new SheetEdges(result);
     this.chosen = this.chosen && this.edges.find(this.chosen.name);
     this.pointed = null;
+    this.line.textContent = '';
     this.show();
     this.light();
   }
@@ -130,6 +131,8 @@ export class EdgeTool extends Panel {
     if (!edit) return;
     const before = this.state;
     const ending = await this.listener.change(edit);
+    // Who has chosen another edge meanwhile sees what came of it on the sheets.
+    if (this.chosen?.modelEdge !== chosen.modelEdge) return;
     const { state: after } = this;
     if (ending.type === 'refused') this.outcome = sentence(ending.refusal.params.text);
     else if (ending.type === 'shown' && before && after) {
