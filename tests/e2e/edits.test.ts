@@ -25,21 +25,26 @@ async function chosen(page: Page): Promise<number[]> {
   return names.map((name) => Number.parseInt(name.replace('Part ', ''), 10));
 }
 
-/** Clicks a piece on a sheet, somewhere inside: the middle of its box may lie outside. */
+/** Clicks a piece on a sheet, somewhere inside where no edge is near: the middle of its box may lie outside. */
 async function clickPiece(page: Page, selector: string): Promise<void> {
   const piece = page.locator(selector).first();
   await piece.scrollIntoViewIfNeeded();
-  const [x, y] = await piece.evaluate((path: SVGPathElement) => {
+  const places = await piece.evaluate((path: SVGPathElement) => {
     const { x: left, y: top, width, height } = path.getBBox();
     const shares = Array.from({ length: 30 }, (_, i) => (i + 0.5) / 30);
     const points = shares.flatMap((u) =>
       shares.map((v) => new DOMPoint(left + u * width, top + v * height)),
     );
-    const inside = points.find((point) => path.isPointInFill(point))!;
-    const place = inside.matrixTransform(path.getScreenCTM()!);
-    return [place.x, place.y] as const;
+    return points
+      .filter((point) => path.isPointInFill(point))
+      .map((point) => point.matrixTransform(path.getScreenCTM()!))
+      .map(({ x, y }) => [x, y] as const);
   });
-  await page.mouse.click(x, y);
+  for (const [x, y] of places) {
+    await page.mouse.move(x, y);
+    if ((await page.locator('#edge-line').textContent()) === '') return page.mouse.click(x, y);
+  }
+  throw new Error('Edges are everywhere near');
 }
 
 /** The hash of the result that a change leads to. */

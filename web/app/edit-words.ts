@@ -1,19 +1,46 @@
-import type { DocumentEdit } from '../model/document-edits.js';
+import type { DocumentEdit, FlapChoiceSide } from '../model/document-edits.js';
+import type { JobResult } from '../model/job.js';
+import { printedText, SheetEdges } from '../model/sheet-edges.js';
 
 type Kind = DocumentEdit['kind'];
 
-/** Of the kinds that are not about parts of the result. */
-const words: Readonly<Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name'>, string>> = {
+/** An edit at one edge. */
+type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' }>;
+
+/** Of the kinds that are about neither parts nor one edge of the result. */
+const words: Readonly<
+  Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name' | EdgeEdit['kind']>, string>
+> = {
   assign: 'moving faces',
-  cut: 'cutting a fold',
-  join: 'joining an edge',
   lock: 'lock of an edge',
-  flap: 'flap of an edge',
   place: 'moving a piece',
   unpin: 'letting a piece go',
   paper: 'change of paper',
   print: 'change of look',
 };
+
+const flapWords: Readonly<Record<FlapChoiceSide, (edge: string) => string>> = {
+  first: (edge) => `flap of ${edge} turned`,
+  second: (edge) => `flap of ${edge} turned`,
+  both: (edge) => `flaps on both sides of ${edge}`,
+  none: (edge) => `flap of ${edge} taken away`,
+  auto: (edge) => `flap of ${edge} as usual`,
+};
+
+/** Names an edit at an edge by what the edge is in a result before or after it. */
+function edgeEditWords(edit: EdgeEdit, result: JobResult): string {
+  const edge = new SheetEdges(result).find(edit.edge);
+  const piece = edge ? result.pieces[edge.piece]!.name : null;
+  const number = edge && printedText(edge);
+  switch (edit.kind) {
+    case 'cut':
+      return piece === null ? 'cut' : `cut in ${piece}`;
+    case 'join':
+      return piece === null ? 'gluing together' : `gluing together in ${piece}`;
+    case 'flap':
+      return flapWords[edit.side](number ?? 'an edge');
+  }
+}
 
 /** "part 3", "parts 1 and 2"; parts count from 1. */
 function partNumbers(parts: readonly number[]): string {
@@ -27,8 +54,12 @@ export function partsOf(edit: DocumentEdit): readonly number[] {
   return 'part' in edit ? [edit.part] : [];
 }
 
-/** Names edits that are made in one go, to be read after "Undo: ". */
-export function editWords(edits: readonly DocumentEdit[]): string {
+/**
+ * Names edits that are made in one go, to be read after "Undo: ".
+ *
+ * @param result the one before or after them, in which edges have their numbers
+ */
+export function editWords(edits: readonly DocumentEdit[], result: JobResult): string {
   const [first] = edits;
   if (!first) return '';
   const parts = partNumbers([...new Set(edits.flatMap(partsOf))]);
@@ -41,6 +72,10 @@ export function editWords(edits: readonly DocumentEdit[]): string {
       return `another net for ${parts}`;
     case 'name':
       return `name of ${parts}`;
+    case 'cut':
+    case 'join':
+    case 'flap':
+      return edgeEditWords(first, result);
     default:
       return words[first.kind];
   }

@@ -106,7 +106,7 @@ export class PartsPanel extends Panel {
   }
 
   private show(): void {
-    const { busy, canMove, selection, undoable, redoable } = this.store;
+    const { busy, canMove, run, selection, undoable, redoable } = this.store;
     const { length: count } = selection;
     this.card.setAttribute('aria-busy', String(busy));
     this.splitButton.textContent = count > 1 ? 'Split these parts' : 'Split this part';
@@ -122,7 +122,7 @@ export class PartsPanel extends Panel {
       row.locked = busy;
     });
     const offer = (button: HTMLButtonElement, verb: string, edits: typeof undoable): void => {
-      button.textContent = edits ? `${verb}: ${editWords(edits)}` : verb;
+      button.textContent = edits && run ? `${verb}: ${editWords(edits, run.result)}` : verb;
       const hadFocus = button.matches(':focus');
       button.hidden = edits === null;
       if (edits === null && hadFocus) this.focus();

@@ -1,13 +1,16 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
+import { lightEdges } from '../view/edge-lights.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture, type PiecePaint } from '../view/sheet-picture.js';
 import { make } from './dom.js';
+import type { LightsBySheet } from './edge-lighting.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
+import { placeOn, type SheetPlace } from './sheet-place.js';
 import type { MarksBySheet } from './step-marks.js';
 
 /** What a sheet on the page was made of; two that were made of the same look the same. */
@@ -43,6 +46,16 @@ function drawSheet({ source, paints, caption, share }: SheetParts): HTMLLIElemen
   return make('li', { className: 'sheet' }, figure);
 }
 
+/** Who hears of the pointer over the sheets. */
+export interface SheetListener {
+  /** The mouse is over a place of a sheet, or over none any more. */
+  point(place: SheetPlace | null): void;
+  /** A place was clicked, or something beside all sheets; true if the click is not for the piece there. */
+  press(place: SheetPlace | null): boolean;
+  /** A piece of this part was clicked. */
+  pick(part: number): void;
+}
+
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList extends Panel {
   private readonly list = this.find('#sheets', HTMLOListElement);
@@ -54,20 +67,24 @@ export class SheetList extends Panel {
   private drawn = new Map<string, HTMLLIElement>();
   private pieces: readonly Piece[] = [];
   private marks: MarksBySheet = new Map();
+  private lights: LightsBySheet = new Map();
   private selected: readonly number[] = [];
 
-  /** @param onPick is told the part of the piece that was clicked */
-  constructor(place: StudioPlace, onPick: (part: number) => void) {
+  constructor(
+    place: StudioPlace,
+    private readonly listener: SheetListener,
+  ) {
     super(place);
     this.zoom.addEventListener('input', () => {
       this.list.toggleAttribute('data-fitted', false);
       this.resize();
     });
-    this.list.addEventListener('click', ({ target }) => {
-      const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
-      const picked = this.pieces.find(({ name }) => name === area);
-      if (picked) onPick(picked.part);
+    this.list.addEventListener('click', (event) => this.press(event));
+    this.list.addEventListener('pointermove', (event) => {
+      // A finger that moves scrolls the page.
+      if (event.pointerType === 'mouse') listener.point(this.placeOf(event));
     });
+    this.list.addEventListener('pointerleave', () => listener.point(null));
   }
 
   /**
@@ -98,6 +115,7 @@ export class SheetList extends Panel {
     this.sheets = sheets;
     this.pieces = pieces;
     this.mark(new Map());
+    this.light(new Map());
     const first = whole ? sheets.length : 1;
     this.list.replaceChildren(...sheets.slice(0, first));
     this.coming = sheets.slice(first);
@@ -119,6 +137,7 @@ export class SheetList extends Panel {
     this.coming = [];
     this.list.replaceChildren(...sheets);
     this.mark(this.marks);
+    this.light(this.lights);
     this.select(this.selected);
   }
 
@@ -129,6 +148,28 @@ export class SheetList extends Panel {
       const svg = sheet.querySelector('svg');
       if (svg) markSheet(svg, marks.get(index) ?? []);
     });
+  }
+
+  /** Lights edges on the sheets, in place of those that were lit before. */
+  light(lights: LightsBySheet): void {
+    this.lights = lights;
+    this.sheets.forEach((sheet, index) => {
+      const svg = sheet.querySelector('svg');
+      if (svg) lightEdges(svg, lights.get(index) ?? []);
+    });
+  }
+
+  /**
+   * Scrolls the page until the first lit edge of a sheet is in the middle of the window, as far as it goes.
+   *
+   * @returns how far it is below the upper end of the window then, in pixels
+   */
+  reveal(sheet: number): number {
+    const light = this.sheets[sheet]?.querySelector('[data-lights] > *');
+    if (!light) return 0;
+    light.scrollIntoView({ block: 'center', inline: 'center' });
+    const { top, height } = light.getBoundingClientRect();
+    return top + height / 2;
   }
 
   /** Lets parts stand out from all others, unless there are none. */
@@ -142,6 +183,21 @@ export class SheetList extends Panel {
         area.toggleAttribute('data-selected', letters.has(area.dataset['area'] ?? ''));
       }
     }
+  }
+
+  private press(event: MouseEvent): void {
+    if (this.listener.press(this.placeOf(event))) return;
+    const { target } = event;
+    const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
+    const picked = this.pieces.find(({ name }) => name === area);
+    if (picked) this.listener.pick(picked.part);
+  }
+
+  private placeOf(event: MouseEvent): SheetPlace | null {
+    const { target } = event;
+    const sheet = this.sheets.findIndex((item) => target instanceof Node && item.contains(target));
+    const svg = target instanceof Element ? target.closest('svg') : null;
+    return svg && sheet >= 0 ? placeOn(svg, sheet, event) : null;
   }
 
   private resize(): void {

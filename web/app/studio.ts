@@ -10,6 +10,7 @@ import { Checking } from './checking.js';
 import { triangleWords } from './check-words.js';
 import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
+import { EdgeTool } from './edge-tool.js';
 import type { Ending, Failure } from './ending.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
@@ -78,6 +79,7 @@ export class Studio extends Panel {
   private readonly checking: Checking;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
+  private readonly edges: EdgeTool;
   private readonly welcome = this.find('#welcome', HTMLElement);
   /** Whether this browser can run it. */
   private isOpen = false;
@@ -91,7 +93,16 @@ export class Studio extends Panel {
     super(place);
     this.store = this.makeStore();
     const pick = (part: number): void => this.store.toggle(part);
-    const sheets = new SheetList(place, pick);
+    const sheets = new SheetList(place, {
+      point: (where) => this.edges.point(where),
+      press: (where) => this.edges.press(where),
+      pick,
+    });
+    this.edges = new EdgeTool(place, this.store, {
+      light: (lights) => sheets.light(lights),
+      reveal: (sheet) => sheets.reveal(sheet),
+      change: (edit) => this.edit(this.store.apply([edit]), (run) => `Done: ${leadOf(run)}`),
+    });
     this.workshop = new Workshop(place, pick);
     this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
@@ -335,6 +346,7 @@ export class Studio extends Panel {
     else this.workshop.finish(pictures, result);
     this.settings.compareWith(fields);
     this.parts.offer(result, isRenaming);
+    this.edges.offer(result);
   }
 
   private tellUnchanged(reason: string): void {

@@ -1,0 +1,125 @@
+/** Edges on the sheets are pointed at, chosen and changed. */
+import type { Locator, Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { objText, wavyRing } from '../web/model-text.js';
+import { useStudio } from './studio-fixture.js';
+import { phone, type StudioPage } from './studio-page.js';
+
+const withStudio = useStudio();
+
+const press = (page: Page, name: string) => page.getByRole('button', { name }).click();
+const card = (page: Page) => page.locator('#edge-card');
+const words = (page: Page) => page.locator('#edge-words');
+
+async function open(studio: StudioPage): Promise<string> {
+  await studio.page.fill('#parts', '3');
+  await studio.choose('ring.obj', objText(wavyRing(12)));
+  return studio.resultOf('ring');
+}
+
+/** The hash of the result that a change leads to. */
+async function changed(studio: StudioPage, before: string): Promise<string> {
+  await studio.page.locator(`#result:not([data-hash="${before}"])`).waitFor();
+  return studio.resultOf('ring');
+}
+
+/** The middle of the first line of a path, in the window. */
+async function middleOf(line: Locator): Promise<[x: number, y: number]> {
+  await line.scrollIntoViewIfNeeded();
+  return line.evaluate((path: SVGPathElement) => {
+    const [x1, y1, x2, y2] = path
+      .getAttribute('d')!
+      .match(/-?[\d.]+/g)!
+      .map(Number);
+    const { x, y } = new DOMPoint((x1! + x2!) / 2, (y1! + y2!) / 2).matrixTransform(
+      path.getScreenCTM()!,
+    );
+    return [x, y] as [number, number];
+  });
+}
+
+/** Writes a number into the field and finds its edge by the keyboard. */
+async function find(page: Page, number: string): Promise<void> {
+  await page.locator('#edge-number').focus();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.type(number);
+  await page.keyboard.press('Enter');
+}
+
+/** A number that is printed on a piece at what is glued to another piece, such as B1. */
+async function printedNumber(page: Page): Promise<string> {
+  const texts = await page.locator('.sheet text').allTextContents();
+  return texts.find((text) => /^[A-C][0-9]+$/.test(text))!;
+}
+
+test('an edge under the pointer lights what it is glued to, and is cut and glued by clicks', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio);
+    await find(page, await printedNumber(page));
+    const [x, y] = await middleOf(page.locator('.edge-light--own').first());
+    await page.keyboard.press('Escape');
+    expect(await card(page).isHidden()).toBe(true);
+    expect(await page.locator('.edge-light').count()).toBe(0);
+
+    const place = await page.locator('#sheets').boundingBox();
+    await page.mouse.move(x, y);
+    await page.locator('.edge-light--partner').first().waitFor({ state: 'attached' });
+    expect(await page.locator('#edge-line').innerText()).toMatch(
+      /^Edge [A-C]\d+: glued to [A-C]\d+/,
+    );
+    await page.mouse.click(x, y);
+    expect(await words(page).innerText()).toMatch(/^Edge [A-C]\d+: glued to .*flap/);
+    // Nothing has moved.
+    expect(await page.locator('#sheets').boundingBox()).toEqual(place);
+    await studio.picture('edges-chosen');
+
+    await press(page, 'Glue together');
+    await expect
+      .poll(() => page.locator('#edge-outcome').innerText())
+      .toMatch(/^Glued together|^The two pieces would overlap/);
+    await page.keyboard.press('Escape');
+    const second = (await page.locator('#result').getAttribute('data-hash')) ?? '';
+
+    const fold = page
+      .locator('[data-layer="fold-mountain"] line, [data-layer="fold-mountain"] path')
+      .first();
+    await page.mouse.click(...(await middleOf(fold)));
+    expect(await words(page).innerText()).toMatch(/^Mountain fold of piece [A-C], \d+°\.$/);
+    await press(page, 'Cut here');
+    const cut = await changed(studio, second);
+    await expect.poll(() => page.locator('#edge-outcome').innerText()).toMatch(/^Cut\. There are/);
+    await studio.picture('edges-cut');
+    await page.getByRole('button', { name: /^Undo: cut in/ }).click();
+    expect(await changed(studio, cut)).toBe(second);
+    expect(await words(page).innerText()).toMatch(/^Mountain fold/);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a seam is found by its number and its flap turned by the keyboard alone', () =>
+  withStudio(
+    async (studio) => {
+      const { page } = studio;
+      const first = await open(studio);
+      await find(page, '999');
+      expect(await words(page).innerText()).toBe('No edge has the number 999.');
+      const number = await printedNumber(page);
+      await find(page, number);
+      const before = await words(page).innerText();
+      expect(before).toMatch(new RegExp(`^Edge ${number}: glued to`));
+      await studio.picture('edges-phone');
+      // Past the button of the field, the size of the sheets, and the first button of the card.
+      for (let i = 0; i < 4; ++i) await page.keyboard.press('Tab');
+      const turn = page.getByRole('button', { name: 'Flap on the other side' });
+      expect(await turn.evaluate((own) => own.matches(':focus'))).toBe(true);
+      await page.keyboard.press('Enter');
+      const turned = await changed(studio, first);
+      expect(await words(page).innerText()).not.toBe(before);
+      expect(await card(page).evaluate((own) => own.matches(':focus-within'))).toBe(true);
+      await page.getByRole('button', { name: `Undo: flap of ${number} turned` }).click();
+      expect(await changed(studio, turned)).toBe(first);
+      expect(await words(page).innerText()).toBe(before);
+      expect(studio.complaints).toEqual([]);
+    },
+    { viewport: phone },
+  ));

@@ -1,0 +1,58 @@
+import { describe, expect, it } from 'vitest';
+import { edgeWords, outcomeWords } from '../../web/app/edge-words.js';
+import { editWords } from '../../web/app/edit-words.js';
+import type { FlapChoiceSide } from '../../web/model/document-edits.js';
+import { SheetEdges } from '../../web/model/sheet-edges.js';
+import { boxAndLidResult, slitResult } from './fixtures.js';
+
+const result = boxAndLidResult();
+const edges = new SheetEdges(result);
+const between = edges.all.find(({ seam }) => seam && seam.pieces[0] !== seam.pieces[1])!;
+const within = edges.all.find(({ seam }) => seam && seam.pieces[0] === seam.pieces[1])!;
+const fold = edges.all.find(({ kind }) => kind === 'mountain')!;
+const number = between.seam!.texts[0];
+
+describe('words for edges', () => {
+  it('say what an edge is glued to, and where that lies', () => {
+    const [, other] = between.seam!.texts;
+    expect(edgeWords(edges, between)).toBe(`Edge ${number}: glued to ${other} on sheet 2`);
+    const text = within.seam!.texts[0];
+    expect(edgeWords(edges, within)).toBe(`Edge ${text}: glued to another edge of piece A`);
+  });
+
+  it('say how a fold turns, and where the model ends', () => {
+    expect(edgeWords(edges, fold)).toBe('Mountain fold of piece A, 90°');
+    const open = new SheetEdges(slitResult());
+    const border = open.all.find(({ kind }) => kind === 'border')!;
+    expect(edgeWords(open, border)).toBe('Edge of piece A: the model ends here');
+  });
+
+  it('say what came of a change', () => {
+    const before = { pieces: 3, flap: 'here' } as const;
+    const cut = { action: 'cut', before, after: { ...before, pieces: 4 } } as const;
+    expect(outcomeWords(cut)).toBe('Cut. There are 4 pieces now; before there were 3.');
+    const turned = { action: 'turn-flap', before, after: { pieces: 3, flap: 'there' } } as const;
+    expect(outcomeWords(turned)).toBe('');
+    expect(outcomeWords({ ...turned, after: { pieces: 3, flap: 'none' } })).toBe(
+      'There is no room for a flap on that side.',
+    );
+  });
+});
+
+describe('edits at edges in the history', () => {
+  it('are named by the number of the edge, or by its piece', () => {
+    const flap = (side: FlapChoiceSide) =>
+      editWords([{ kind: 'flap', edge: between.name, side }], result);
+    expect(flap('second')).toBe(`flap of ${number} turned`);
+    expect(flap('both')).toBe(`flaps on both sides of ${number}`);
+    expect(flap('none')).toBe(`flap of ${number} taken away`);
+    expect(editWords([{ kind: 'cut', edge: fold.name }], result)).toBe('cut in A');
+    expect(editWords([{ kind: 'join', edge: fold.name }], result)).toBe('gluing together in A');
+  });
+
+  it('have words also for edges that are on no sheet', () => {
+    expect(editWords([{ kind: 'flap', edge: [900, 901], side: 'none' }], result)).toBe(
+      'flap of an edge taken away',
+    );
+  });
+});
