@@ -74,7 +74,7 @@ test('an edge under the pointer lights what it is glued to, and is cut and glued
     expect(await page.locator('#sheets').boundingBox()).toEqual(place);
     await studio.picture('edges-chosen');
 
-    await press(page, 'Glue together');
+    await press(page, 'Make it a fold');
     await expect
       .poll(() => page.locator('#edge-outcome').innerText())
       .toMatch(/^Glued together|^The two pieces would overlap/);

@@ -47,7 +47,7 @@ describe('edits at edges in the history', () => {
     expect(flap('both')).toBe(`flaps on both sides of ${number}`);
     expect(flap('none')).toBe(`flap of ${number} taken away`);
     expect(editWords([{ kind: 'cut', edge: fold.name }], result)).toBe('cut in A');
-    expect(editWords([{ kind: 'join', edge: fold.name }], result)).toBe('gluing together in A');
+    expect(editWords([{ kind: 'join', edge: fold.name }], result)).toBe('fold made in A');
   });
 
   it('have words also for edges that are on no sheet', () => {

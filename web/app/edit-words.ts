@@ -36,7 +36,7 @@ function edgeEditWords(edit: EdgeEdit, result: JobResult): string {
     case 'cut':
       return piece === null ? 'cut' : `cut in ${piece}`;
     case 'join':
-      return piece === null ? 'gluing together' : `gluing together in ${piece}`;
+      return piece === null ? 'fold made' : `fold made in ${piece}`;
     case 'flap':
       return flapWords[edit.side](number ?? 'an edge');
   }
