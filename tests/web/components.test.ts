@@ -11,12 +11,14 @@ const vertices = Float32Array.from([
 const first = cube.faces.flat();
 const second = first.map((vertex) => vertex + cube.vertices.length);
 
+const noPause = async (): Promise<void> => {};
+
 describe('componentsOf', () => {
-  it('tells bodies apart whatever the order of their faces', () => {
+  it('tells bodies apart whatever the order of their faces', async () => {
     const mixed = first.flatMap((_, i) =>
       i % 3 === 0 ? [...first.slice(i, i + 3), ...second.slice(i, i + 3)] : [],
     );
-    const { components, ofFaces } = componentsOf(vertices, Int32Array.from(mixed));
+    const { components, ofFaces } = await componentsOf(vertices, Int32Array.from(mixed), noPause);
     expect(components.map(({ faces }) => faces)).toEqual([12, 12]);
     expect(components[0]!.longestSide).toBe(40);
     expect(components[1]!.longestSide).toBeCloseTo(0.4, 4);
@@ -25,8 +27,14 @@ describe('componentsOf', () => {
     expect(components.map((component) => isTiny(component, longest))).toEqual([false, true]);
   });
 
-  it('finds none in nothing', () => {
-    expect(componentsOf(new Float32Array(), new Int32Array()).components).toEqual([]);
+  it('ends when its pause does', async () => {
+    const end = (): Promise<void> => Promise.reject(new Error('enough'));
+    await expect(componentsOf(vertices, Int32Array.from(first), end)).rejects.toThrow('enough');
+  });
+
+  it('finds none in nothing', async () => {
+    const { components } = await componentsOf(new Float32Array(), new Int32Array(), noPause);
+    expect(components).toEqual([]);
     expect(sidesOf(new Float32Array())).toEqual([0, 0, 0]);
   });
 });

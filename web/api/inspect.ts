@@ -26,8 +26,24 @@ export interface Inspection {
 
 type ModelEvent = Extract<TimedEvent, { type: 'model' }>;
 
-function inspectionOf({ file, vertices, faces }: ModelEvent, repairs: Message[]): Inspection {
-  const { components, ofFaces } = componentsOf(vertices, faces);
+/** Gives way to whoever waits after some milliseconds of work, and ends with the signal. */
+function pauses(signal: AbortSignal | undefined): () => Promise<void> {
+  const most = 8;
+  let since = performance.now();
+  return async () => {
+    signal?.throwIfAborted();
+    if (performance.now() - since < most) return;
+    await new Promise((resolve) => setTimeout(resolve));
+    since = performance.now();
+  };
+}
+
+async function inspectionOf(
+  { file, vertices, faces }: ModelEvent,
+  repairs: Message[],
+  signal: AbortSignal | undefined,
+): Promise<Inspection> {
+  const { components, ofFaces } = await componentsOf(vertices, faces, pauses(signal));
   return { file, model: { vertices, faces }, repairs, components, componentOfFaces: ofFaces };
 }
 
@@ -54,7 +70,7 @@ export function inspectModel(
       if (event.type === 'notice') repairs.push({ code: event.code, params: event.params });
       if (event.type !== 'model') return;
       // Repairs are told before the model, and nothing else is wanted of the job.
-      resolve(inspectionOf(event, repairs));
+      resolve(inspectionOf(event, repairs, signal));
       end.abort();
     };
     // After the model was told the rejection is that of the end, and nobody hears it.

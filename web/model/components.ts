@@ -52,16 +52,25 @@ export function sidesOf(vertices: Float32Array | Float64Array): [number, number,
   return boxes.sides(0);
 }
 
+/** Faces or vertices that are looked at between two pauses: about a millisecond of work. */
+const perPause = 1 << 14;
+
 /**
  * Finds the faces that hang together by their vertices, which in a repaired mesh is the same as by their edges.
  * Cost: nearly linear, about 10 ms for 100,000 faces.
  *
  * @param vertices 3 numbers per vertex
  * @param faces 3 vertices per face
+ * @param pause is waited for after about every millisecond of work, so that a page stays alive
  */
-export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32Array): Components {
+export async function componentsOf(
+  vertices: Float32Array | Float64Array,
+  faces: Int32Array,
+  pause: () => Promise<void>,
+): Promise<Components> {
   const groups = new Groups(vertices.length / 3);
   for (let i = 0; i < faces.length; i += 3) {
+    if (i % (3 * perPause) === 0) await pause();
     groups.unite(faces[i]!, faces[i + 1]!);
     groups.unite(faces[i]!, faces[i + 2]!);
   }
@@ -70,6 +79,7 @@ export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32
   const faceCounts: number[] = [];
   const ofFaces = new Int32Array(faces.length / 3);
   for (let face = 0; face < ofFaces.length; ++face) {
+    if (face % perPause === 0) await pause();
     const root = groups.of(faces[3 * face]!);
     numbers[root] ||= faceCounts.push(0);
     const component = numbers[root] - 1;
@@ -78,6 +88,7 @@ export function componentsOf(vertices: Float32Array | Float64Array, faces: Int32
   }
   const boxes = new Boxes(faceCounts.length);
   for (let vertex = 0; vertex < numbers.length; ++vertex) {
+    if (vertex % perPause === 0) await pause();
     const number = numbers[groups.of(vertex)]!;
     // A vertex without faces is of no body.
     if (number > 0) boxes.add(number - 1, vertices, vertex);
