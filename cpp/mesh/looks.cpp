@@ -5,33 +5,31 @@
 namespace foldwright {
 namespace {
 
-/// The mean of what the three corners have, and where the corner is one of them, just that: what a
-/// mean has from a corner without weight may be no number.
-template <class Value, class Mean>
-Value value_at(const std::vector<Value>& values, int first, const CornerOrigin& origin,
-               Mean&& mean) {
+/// The mean of one of the numbers that the corners of a place have. Those without weight are left
+/// out: what they have may be no number.
+template <class Value>
+double mean_of(const std::vector<Value>& values, int first, const CornerOrigin& origin,
+               std::size_t number) {
+  double mean = 0;
   for (int i = 0; i < 3; ++i) {
-    if (origin.weights[i] == 1) return values[first + origin.corners[i]];
-  }
-  return mean(values[first + origin.corners[0]], values[first + origin.corners[1]],
-              values[first + origin.corners[2]], origin.weights);
-}
-
-PicturePlace mean_place(const PicturePlace& a, const PicturePlace& b, const PicturePlace& c,
-                        const Vec3& weights) {
-  PicturePlace mean;
-  for (std::size_t k = 0; k < mean.size(); ++k) {
-    mean[k] = static_cast<float>(weights.dot(Vec3(a[k], b[k], c[k])));
+    const double weight = origin.weights[i];
+    if (weight > 0) mean += weight * values[first + origin.corners[i]][number];
   }
   return mean;
 }
 
-Rgb mean_colour(const Rgb& a, const Rgb& b, const Rgb& c, const Vec3& weights) {
-  Rgb mean;
-  for (std::size_t k = 0; k < mean.size(); ++k) {
-    mean[k] = static_cast<std::uint8_t>(std::lround(weights.dot(Vec3(a[k], b[k], c[k]))));
-  }
-  return mean;
+PicturePlace place_at(const FaceLooks& looks, int first, const CornerOrigin& origin) {
+  const auto mean = [&](std::size_t axis) {
+    return static_cast<float>(mean_of(looks.places, first, origin, axis));
+  };
+  return {mean(0), mean(1)};
+}
+
+Rgb colour_at(const FaceLooks& looks, int first, const CornerOrigin& origin) {
+  const auto mean = [&](std::size_t part) {
+    return static_cast<std::uint8_t>(std::lround(mean_of(looks.colours, first, origin, part)));
+  };
+  return {mean(0), mean(1), mean(2)};
 }
 
 }  // namespace
@@ -42,12 +40,8 @@ FaceLooks carry_looks(const FaceLooks& looks, std::span<const int> first_corner,
   for (const FaceOrigins& face : origins) {
     for (const CornerOrigin& corner : face) {
       const int first = first_corner[corner.face];
-      if (!looks.places.empty()) {
-        carried.places.push_back(value_at(looks.places, first, corner, mean_place));
-      }
-      if (!looks.colours.empty()) {
-        carried.colours.push_back(value_at(looks.colours, first, corner, mean_colour));
-      }
+      if (!looks.places.empty()) carried.places.push_back(place_at(looks, first, corner));
+      if (!looks.colours.empty()) carried.colours.push_back(colour_at(looks, first, corner));
     }
     if (!looks.materials.empty()) carried.materials.push_back(looks.materials[face[0].face]);
   }

@@ -104,18 +104,12 @@ double ruled_margin(const SheetOptions& options);
 /// \throw InputError if the margins leave nothing of it
 Extent printable(const SheetOptions& options);
 
+/// The part of a sheet of this size for pieces.
+Extent room_on(const Extent& sheet, const SheetOptions& options);
+
 /// The largest scale at which every piece fits a sheet in some turn.
 /// \throw InputError if the margins leave nothing of the sheet
 double fitting_scale(std::span<const Footprint> pieces, const SheetOptions& options);
-
-/// The pin of a piece that a motion takes from how it came to its place on a sheet.
-Pin pin_at(const Footprint& piece, int sheet, const RigidMotion2& motion);
-
-/// Takes out of `held` all pins with which pieces would leave the printable area or overlap one
-/// pinned before; those that are in `pins`, too, stay. With the orientation of the task, which is
-/// not automatic. False if `pins` cannot stay. `task.pins` is not read.
-bool drop_clashing_pins(const SheetTask& task, std::span<const std::optional<Pin>> pins,
-                        std::span<std::optional<Pin>> held);
 
 /// Lays pieces of their finished size, in millimetres, out on sheets by their true shapes, on never
 /// more sheets than rows of bounding boxes take.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "paper/gluing_order.h"
+#include "paper/pins.h"
 #include "pipeline/flat_net.h"
 
 namespace foldwright {

@@ -257,11 +257,8 @@ struct ElementLooks {
  private:
   /// What stands for a full colour; of floats the looks' builder finds out.
   static double one_of(PlyType type) {
-    const bool is_byte = type == PlyType::kInt8 || type == PlyType::kUint8;
-    return is_byte ? 255 : is_whole(type) ? whole_colour(type) : 1;
-  }
-  static double whole_colour(PlyType type) {
-    return type == PlyType::kInt16 || type == PlyType::kUint16 ? 65535 : 255;
+    if (!is_whole(type)) return 1;
+    return size_of(type) == 2 ? 65535 : 255;
   }
 };
 

@@ -47,6 +47,18 @@ TEST(CarryLooks, TakesMeansBetweenCorners) {
   EXPECT_EQ(looks.colours[0], (Rgb{100, 25, 0}));
 }
 
+TEST(CarryLooks, LeavesOutCornersThatHaveNoPartInAPlace) {
+  PolygonSoup soup = quad_and_triangle();
+  soup.looks.places[2] = {std::numeric_limits<float>::quiet_NaN(), 0};
+  const FaceOrigins triangle = origins_of_triangle(0, {0, 1, 2});
+  const CornerOrigin on_edge = place_within(triangle, Vec3(0.5, 0.5, 0));
+  const CornerOrigin within = place_within(triangle, Vec3(0.5, 0.25, 0.25));
+  const FaceLooks looks = carry_looks(soup.looks, soup.first_corner,
+                                      std::vector<FaceOrigins>{{on_edge, within, within}});
+  EXPECT_EQ(looks.places[0], (PicturePlace{1, 0}));
+  EXPECT_TRUE(std::isnan(looks.places[1][0]));
+}
+
 TEST(CarryLooks, GivesNothingWhereThereIsNothing) {
   PolygonSoup soup = quad_and_triangle();
   soup.looks = {};

@@ -57,6 +57,19 @@ TEST(TextMemory, ChangesNoLabel) {
   }
 }
 
+TEST(TextMemory, IsAskedBeforePlacesAreLookedFor) {
+  const Mesh mesh = cube();
+  const DualGraph graph = build_dual_graph(mesh);
+  const std::vector<Net> nets = {make_net(mesh, restrict_to(graph, std::array{0}), {})};
+  const std::vector<std::vector<Flap>> flaps(1);
+  const std::vector<std::string> names = {"A"};
+  TextMemory memory;
+  memory.keep(bytes_of({nets.data(), {}, "A", IdPlace::kNone, {}, {}}), texts_of("kept", 1));
+  LabelTask task = {nets, flaps, names, IdPlace::kNone};
+  task.memory = &memory;
+  EXPECT_EQ(place_labels(task).labels[0].at(0).text, "kept");
+}
+
 TEST(TextMemory, TellsNetsApartByAllThatTextsDependOn) {
   const Mesh mesh = cube();
   const DualGraph graph = build_dual_graph(mesh);

@@ -55,7 +55,10 @@ async function engineCodes(): Promise<string[]> {
   return (await start()).messageCodes();
 }
 
-/** One for each sentence of a code that has several, and for each form of a plural. */
+/**
+ * One for each sentence of a code that has several, and for each form of a plural. The file is longer than others: it
+ * is this one table.
+ */
 const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'overlapping-pieces', params: { pieces: ['B'] } },

@@ -1,6 +1,7 @@
 import type { Inspection } from '../api/inspect.js';
 import { JobError } from '../core/job-error.js';
-import { isTiny, sidesOf } from '../model/components.js';
+import { extentsOf } from '../model/bounds.js';
+import { isTiny } from '../model/components.js';
 import { mostFaces, proposedFaces, usualFaces } from '../model/face-numbers.js';
 import { isUnmended } from './check-words.js';
 import type { ChosenModel } from './model-file.js';
@@ -196,6 +197,6 @@ export class Check {
 /** Numbers of the components that are tiny. */
 function tinyComponents({ model, components }: Inspection): Set<number> {
   if (components.length < 2) return new Set();
-  const side = Math.max(...sidesOf(model.vertices));
+  const side = Math.max(...extentsOf(model.vertices));
   return new Set(components.flatMap((component, i) => (isTiny(component, side) ? [i] : [])));
 }

@@ -80,3 +80,13 @@ export function editWords(edits: readonly DocumentEdit[], result: JobResult): st
       return words[first.kind];
   }
 }
+
+/** Parts of the later result, from 0, that have faces of what edits of the earlier one named. */
+export function touchedParts(
+  before: JobResult,
+  after: JobResult,
+  edits: readonly DocumentEdit[],
+): number[] {
+  const named = new Set(edits.flatMap(partsOf));
+  return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]! + 1)))];
+}

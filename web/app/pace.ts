@@ -1,11 +1,23 @@
 /** Which change of a document need not wait for which. */
+import type { Refusal } from '../api/edit-plan.js';
+import type { Applied } from '../api/session.js';
+import type { WorkOptions } from '../api/work.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import type { OpenModel } from './store-needs.js';
 
 /**
  * How a step goes with others. Names and the look of lines leave the numbers of parts alone (`light`), so
  * others need not wait for them; moves through the history name no parts, so they can follow each other.
  */
 export type Pace = 'light' | 'move' | 'change';
+
+/** A change that is not on the page yet. */
+export interface Step {
+  pace: Pace;
+  edits: readonly DocumentEdit[];
+  /** Makes it; false if there is nothing to do. */
+  make(session: OpenModel, work: WorkOptions): Promise<Applied | Refusal | boolean>;
+}
 
 const followed: Readonly<Record<Pace, readonly Pace[]>> = {
   light: ['light'],

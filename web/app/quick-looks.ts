@@ -1,7 +1,11 @@
 import type { Inspection } from '../api/inspect.js';
 import type { Session } from '../api/session.js';
-import type { ModelFiles } from '../model/model-files.js';
+import type { ModelFile, ModelFiles } from '../model/model-files.js';
 import type { Settings } from '../model/options.js';
+import { engineFile } from '../read/engine-file.js';
+import { identity } from '../read/matrix.js';
+import { bitsOfSingle, halfSpacing, largestOf } from '../read/precision.js';
+import { Soup } from '../read/soup.js';
 
 /** What decides how a model looks before it is unfolded. */
 export type Aspect = Pick<Settings, 'faces' | 'up'>;
@@ -27,18 +31,12 @@ interface Copy {
   looker: Promise<Looker>;
 }
 
-/** Digits that a float has. */
-const digits = 8;
-
-/** A mesh as an OFF file. */
-function offOf({ vertices, faces }: Inspection['model']): Uint8Array {
-  const lines = ['OFF', `${vertices.length / 3} ${faces.length / 3} 0`];
-  for (let i = 0; i < vertices.length; i += 3) {
-    const point = Array.from(vertices.subarray(i, i + 3), (value) => value.toPrecision(digits));
-    lines.push(point.join(' '));
-  }
-  for (let i = 0; i < faces.length; i += 3) lines.push(`3 ${faces.subarray(i, i + 3).join(' ')}`);
-  return new TextEncoder().encode(`${lines.join('\n')}\n`);
+/** A mesh as a file for the engine, exactly. */
+function fileOf({ vertices, faces }: Inspection['model']): ModelFile {
+  const soup = new Soup();
+  const error = halfSpacing(largestOf(vertices), bitsOfSingle);
+  soup.add({ positions: vertices, triangles: faces, error }, identity);
+  return engineFile(soup);
 }
 
 /**
@@ -88,6 +86,6 @@ export class QuickLooks {
   private async makeCopy(up: Aspect['up']): Promise<Looker> {
     const { signal } = this.end;
     const { model } = await this.looker.inspect({ faces: copyFaces, up }, { signal });
-    return this.open([{ name: 'copy.off', bytes: offOf(model) }]);
+    return this.open([fileOf(model)]);
   }
 }

@@ -1,4 +1,4 @@
-import { sidesOf } from '../model/components.js';
+import { extentsOf } from '../model/bounds.js';
 import { pencil, pencilPath, silhouetteOf } from '../view/silhouette.js';
 import type { Inspection } from '../api/inspect.js';
 import { lengthWords } from './check-words.js';
@@ -52,7 +52,7 @@ export class SizeCheck extends Panel {
     const key = `${wish.kind} ${wish.amount}`;
     if (key === this.drawn && look === this.drawnLook) return;
     [this.drawn, this.drawnLook] = [key, look];
-    const sides = look ? sidesOf(look.model.vertices) : [0, 0, 0];
+    const sides = look ? extentsOf(look.model.vertices) : [0, 0, 0];
     const scale = scaleFor(wish, sides);
     if (look && scale !== null) this.draw(look, scale);
     else this.drawNothing(wish);
@@ -66,7 +66,7 @@ export class SizeCheck extends Panel {
     const tallest = Math.max(height, pencil.length);
     const box = [-gap, -tallest - gap, right + pencil.width + 2 * gap, tallest + 2 * gap];
     this.picture.setAttribute('viewBox', box.join(' '));
-    const [across, up, deep] = sidesOf(model.vertices).map((side) => lengthWords(scale * side));
+    const [across, up, deep] = extentsOf(model.vertices).map((side) => lengthWords(scale * side));
     this.words.textContent = `${up} high, ${across} wide, ${deep} deep, beside a pencil of ${lengthWords(pencil.length)}.`;
     this.picture.removeAttribute('hidden');
   }

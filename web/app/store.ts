@@ -1,27 +1,25 @@
 import type { DocumentState } from '../api/document-state.js';
-import type { Applied } from '../api/session.js';
-import type { RunWork, WorkOptions } from '../api/work.js';
-import type { Refusal } from '../api/edit-plan.js';
+import type { RunWork } from '../api/work.js';
 import { JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
-import { isRenaming, renamed } from '../model/edits.js';
-import type { JobResult } from '../model/job.js';
+import { isRenaming, renamedBy } from '../model/edits.js';
 import type { PartName } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { Check } from './check.js';
 import { Choice } from './choice.js';
-import { partsOf } from './edit-words.js';
+import { touchedParts } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
 import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
-import { mayFollow, paceOf, type Pace } from './pace.js';
+import { mayFollow, paceOf, type Pace, type Step } from './pace.js';
 import { never } from './place.js';
 import type { Aspect } from './quick-looks.js';
 import { RunPictures } from './run-pictures.js';
 import type { OpenModel, StoreNeeds } from './store-needs.js';
+import { Topics } from './topics.js';
 
 /** What is being done. */
 export type Work = 'idle' | 'running' | 'editing';
@@ -32,25 +30,11 @@ export type Scene = 'welcome' | 'empty' | 'check' | 'pictures' | 'result';
 /** What can change. */
 export type Topic = 'choice' | 'check' | 'work' | 'scene' | 'selection';
 
-/** A change that is not on the page yet. */
-interface Step {
-  pace: Pace;
-  edits: readonly DocumentEdit[];
-  /** Makes it; false if there is nothing to do. */
-  make(session: OpenModel, work: WorkOptions): Promise<Applied | Refusal | boolean>;
-}
-
 /** What a person asks of a run. */
 interface Asked {
   model: ChosenModel;
   settings: Settings;
   fields: FieldValues;
-}
-
-/** Parts of the later result, from 0, that have faces of what edits of the earlier one named. */
-function touched(before: JobResult, after: JobResult, edits: readonly DocumentEdit[]): number[] {
-  const named = new Set(edits.flatMap(partsOf));
-  return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]! + 1)))];
 }
 
 /**
@@ -75,16 +59,17 @@ export class Store {
   private runs = 0;
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
   private choices = 0;
-  private readonly listeners: Partial<Record<Topic, (() => void)[]>> = {};
+  private readonly topics: Topics<Topic>;
 
   constructor(private readonly needs: StoreNeeds) {
+    this.topics = new Topics(needs.life);
     this.inspector = new Inspector(needs, () => this.notify('check'));
     needs.life.addEventListener('abort', () => this.cancel());
   }
 
   /** Calls `listener` after every change. */
   on(topic: Topic, listener: () => void): void {
-    (this.listeners[topic] ??= []).push(listener);
+    this.topics.on(topic, listener);
   }
 
   /** What the page shows; null until there is a result. */
@@ -136,10 +121,7 @@ export class Store {
     // Which names a move leads to is not known before.
     const isMoving = this.steps.some(({ pace }) => pace === 'move');
     const edits = isMoving ? [] : this.steps.flatMap((step) => step.edits);
-    return edits.reduce<readonly PartName[]>(
-      (names, edit) => (edit.kind === 'name' ? renamed(names, edit.part - 1, edit.text) : names),
-      this.shownRun?.result.names ?? [],
-    );
+    return renamedBy(edits, this.shownRun?.result.names ?? []);
   }
 
   /** Takes a model; false if a later choice was quicker. A choice that is no model rejects and changes nothing. */
@@ -236,20 +218,16 @@ export class Store {
 
   /** Takes the last edit back, also one that is still on its way to the page. */
   undo(): Promise<Ending> {
-    return this.step({
-      pace: 'move',
-      edits: [],
-      make: (session) => Promise.resolve(session.undo()),
-    });
+    return this.move((session) => session.undo());
   }
 
   /** Makes the edit again that was taken back last. */
   redo(): Promise<Ending> {
-    return this.step({
-      pace: 'move',
-      edits: [],
-      make: (session) => Promise.resolve(session.redo()),
-    });
+    return this.move((session) => session.redo());
+  }
+
+  private move(to: (session: OpenModel) => boolean): Promise<Ending> {
+    return this.step({ pace: 'move', edits: [], make: (session) => Promise.resolve(to(session)) });
   }
 
   /** Ends what is being done for something else, whose number it returns. */
@@ -410,12 +388,11 @@ export class Store {
     this.presentScene = 'result';
     drawing.show({ isRenaming: isNaming });
     this.notify('scene');
-    if (!isNaming) this.select(before ? touched(before.result, run.result, edits) : []);
+    if (!isNaming) this.select(before ? touchedParts(before.result, run.result, edits) : []);
     return { type: 'shown', run, isWhole };
   }
 
   private notify(...topics: Topic[]): void {
-    if (this.needs.life.aborted) return;
-    for (const topic of topics) for (const listener of this.listeners[topic] ?? []) listener();
+    this.topics.tell(topics);
   }
 }

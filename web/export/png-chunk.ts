@@ -16,19 +16,26 @@ export function remainder(bytes: Uint8Array): number {
   return ~value >>> 0;
 }
 
+/** A chunk of a PNG file, with its length before it and its remainder behind. */
+export function pngChunk(type: string, data: Uint8Array): Uint8Array {
+  const chunk = new Uint8Array(12 + data.length);
+  const view = new DataView(chunk.buffer);
+  view.setUint32(0, data.length);
+  chunk.set(new TextEncoder().encode(type), 4);
+  chunk.set(data, 8);
+  view.setUint32(8 + data.length, remainder(chunk.subarray(4, 8 + data.length)));
+  return chunk;
+}
+
 /** The chunk pHYs for square pixels, so many to the metre. */
 function physicalSize(perMetre: number): Uint8Array {
-  const dataLength = 9;
-  const chunk = new Uint8Array(12 + dataLength);
-  const view = new DataView(chunk.buffer);
-  view.setUint32(0, dataLength);
-  chunk.set(new TextEncoder().encode('pHYs'), 4);
-  view.setUint32(8, perMetre);
-  view.setUint32(12, perMetre);
+  const data = new Uint8Array(9);
+  const view = new DataView(data.buffer);
+  view.setUint32(0, perMetre);
+  view.setUint32(4, perMetre);
   const inMetres = 1;
-  view.setUint8(16, inMetres);
-  view.setUint32(17, remainder(chunk.subarray(4, 17)));
-  return chunk;
+  view.setUint8(8, inMetres);
+  return pngChunk('pHYs', data);
 }
 
 /** A PNG file without that chunk, with it. */

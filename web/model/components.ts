@@ -38,18 +38,10 @@ class Boxes {
     }
   }
 
-  /** Width, height and depth of a box. */
-  sides(box: number): [number, number, number] {
-    const side = (at: number): number => Math.max(0, this.high[at]! - this.low[at]!);
-    return [side(3 * box), side(3 * box + 1), side(3 * box + 2)];
+  longestSide(box: number): number {
+    const sides = [0, 1, 2].map((axis) => this.high[3 * box + axis]! - this.low[3 * box + axis]!);
+    return Math.max(...sides);
   }
-}
-
-/** Width, height and depth of the vertices' bounding box, in their units. */
-export function sidesOf(vertices: Float32Array | Float64Array): [number, number, number] {
-  const boxes = new Boxes(1);
-  for (let vertex = 0; vertex < vertices.length / 3; ++vertex) boxes.add(0, vertices, vertex);
-  return boxes.sides(0);
 }
 
 /** Faces or vertices that are looked at between two pauses: about a millisecond of work. */
@@ -95,7 +87,7 @@ export async function componentsOf(
   }
   const components = faceCounts.map((count, component) => ({
     faces: count,
-    longestSide: Math.max(...boxes.sides(component)),
+    longestSide: boxes.longestSide(component),
   }));
   return { components, ofFaces };
 }

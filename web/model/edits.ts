@@ -1,3 +1,4 @@
+import type { DocumentEdit } from './document-edits.js';
 import type { JobResult, JobStart, NetEdit, PartEdit, Piece } from './job.js';
 import type { PartName } from './job-options.js';
 
@@ -35,6 +36,17 @@ export function startInPlace(
 export function renamed(names: readonly PartName[], part: number, name: string): PartName[] {
   const others = names.filter((chosen) => chosen.part !== part);
   return name === '' ? others : [...others, { part, name }].sort((a, b) => a.part - b.part);
+}
+
+/** The names after edits of which some give parts others. */
+export function renamedBy(
+  edits: readonly DocumentEdit[],
+  names: readonly PartName[],
+): readonly PartName[] {
+  return edits.reduce(
+    (chosen, edit) => (edit.kind === 'name' ? renamed(chosen, edit.part - 1, edit.text) : chosen),
+    names,
+  );
 }
 
 /** What rounding makes of a place that is kept, in mm and degrees, at most. */

@@ -10,6 +10,17 @@ export interface PictureHeader {
   height: number;
 }
 
+/** No screen card takes longer sides, so no picture for a model has them. */
+const longestSide = 16_384;
+
+/** Of one picture: while it is decoded it takes about twelve bytes for each pixel, and browsers give a few GB. */
+export const mostPixels = 2 ** 26;
+
+/** Whether a picture has more pixels than are decoded. */
+export function isTooLarge({ width, height }: Pick<PictureHeader, 'width' | 'height'>): boolean {
+  return Math.max(width, height) > longestSide || width * height > mostPixels;
+}
+
 function starts(bytes: Uint8Array, with_: readonly number[]): boolean {
   return with_.every((byte, i) => bytes[i] === byte);
 }

@@ -1,6 +1,6 @@
 import type { Message } from '../model/message.js';
 import type { ModelFile } from '../model/model-files.js';
-import { pictureHeader, type PictureHeader } from '../model/picture-header.js';
+import { isTooLarge, mostPixels, pictureHeader } from '../model/picture-header.js';
 import { isUsable, pictureKind } from './picture-kind.js';
 import { notice } from './read-model.js';
 
@@ -9,16 +9,6 @@ const mostMegabytes = 64;
 
 /** Far more than any model has; each may be a texture of its own on screen. */
 const mostPictures = 256;
-
-/** No screen card takes longer sides. */
-const longestSide = 16_384;
-
-/** Of one picture: drawing it takes several bytes for each. */
-const mostPixels = 2 ** 26;
-
-function isLarge({ width, height }: PictureHeader): boolean {
-  return Math.max(width, height) > longestSide || width * height > mostPixels;
-}
 
 /** The pictures of a model, each once, and what is to be told of those that cannot be used. */
 export class Pictures {
@@ -55,7 +45,7 @@ export class Pictures {
       return null;
     }
     const isTooMuch = this.bytes + bytes.length > mostMegabytes * 2 ** 20;
-    if (isTooMuch || isLarge(header) || this.files.length === mostPictures) {
+    if (isTooMuch || isTooLarge(header) || this.files.length === mostPictures) {
       this.large.push(name);
       return null;
     }

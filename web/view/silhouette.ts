@@ -1,4 +1,5 @@
 /** A model and a pencil side by side, in millimetres and flat, as someone sees them who stands before a table. */
+import { boxOf } from '../model/bounds.js';
 
 type Numbers = Float32Array | Float64Array;
 
@@ -18,16 +19,6 @@ export const pencil = { length: 175, width: 7.5 } as const;
 /** Tip of the lead and of the wood of a pencil that stands on its end, in mm. */
 const [lead, wood] = [4, 20];
 
-/** Lowest and highest value along an axis. */
-function rangeOf(vertices: Numbers, axis: number): [number, number] {
-  let [low, high] = [Infinity, -Infinity];
-  for (let i = axis; i < vertices.length; i += 3) {
-    low = Math.min(low, vertices[i]!);
-    high = Math.max(high, vertices[i]!);
-  }
-  return [low, high];
-}
-
 /**
  * The shadow of a mesh on the wall behind it. All its triangles are in the path, turned the same way round so that
  * they fill it together.
@@ -35,7 +26,10 @@ function rangeOf(vertices: Numbers, axis: number): [number, number] {
  * @param scale mm per unit of the mesh
  */
 export function silhouetteOf(vertices: Numbers, faces: Int32Array, scale: number): Silhouette {
-  const [[left, right], [low, high]] = [rangeOf(vertices, 0), rangeOf(vertices, 1)];
+  const {
+    low: [left, low],
+    high: [right, high],
+  } = boxOf(vertices);
   const x = (vertex: number): number => scale * (vertices[3 * vertex]! - left);
   const y = (vertex: number): number => scale * (low - vertices[3 * vertex + 1]!);
   const point = (vertex: number): string =>

@@ -1,15 +1,11 @@
 import { renderSvg } from '../renderer.js';
 import { base64 } from './base64.js';
-import { pictureHeader, type PictureHeader } from '../../model/picture-header.js';
+import { isTooLarge, pictureHeader, type PictureHeader } from '../../model/picture-header.js';
 import type { Raster } from './raster.js';
 
 /** Why a picture is not decoded. */
 export type PictureFault = 'format' | 'damaged' | 'large';
 
-/** No screen card takes longer sides, so no picture for a model has them. */
-const longestSide = 16_384;
-/** While one is decoded it takes about twelve bytes for each pixel, and browsers give a few GB. */
-const mostPixels = 2 ** 26;
 /** More than so many pixels without compression. */
 const mostBytes = 2 ** 28;
 
@@ -38,8 +34,7 @@ export function checkPicture(bytes: Uint8Array): PictureHeader | PictureFault {
   if (!header) return 'format';
   const { width, height } = header;
   if (width === 0 || height === 0) return 'damaged';
-  const isLarge = Math.max(width, height) > longestSide || width * height > mostPixels;
-  return isLarge || bytes.length > mostBytes ? 'large' : header;
+  return isTooLarge(header) || bytes.length > mostBytes ? 'large' : header;
 }
 
 /**

@@ -1,9 +1,8 @@
+import type { Vector } from '../../model/vector.js';
 import type { Surface } from './surface-look.js';
 
 /** Faces per leaf: fewer make the tree deep, more make each look at one slow. */
 const leafSize = 4;
-
-export type Vector = readonly [x: number, y: number, z: number];
 
 /** The corners of all faces, 9 coordinates each. */
 export function cornersOf({ vertices, faces }: Surface): Float64Array {
@@ -14,17 +13,12 @@ export function cornersOf({ vertices, faces }: Surface): Float64Array {
 }
 
 /** The normal of the face whose corners begin at `at`, as long as twice its area. */
-function normalAt(corners: Float64Array, at: number): Vector {
+export function normalAt(corners: Float64Array, at: number): Vector {
   const side = (corner: number, axis: number): number =>
     corners[at + 3 * corner + axis]! - corners[at + axis]!;
   const [ux, uy, uz] = [side(1, 0), side(1, 1), side(1, 2)];
   const [vx, vy, vz] = [side(2, 0), side(2, 1), side(2, 2)];
   return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-}
-
-/** The normal of a face, as long as twice its area. */
-export function normalOf({ vertices, faces }: Surface, face: number): Vector {
-  return normalAt(cornersOf({ vertices, faces: faces.subarray(3 * face, 3 * face + 3) }), 0);
 }
 
 /**

@@ -1,5 +1,5 @@
 import { zlibSync } from 'fflate';
-import { remainder } from '../png-chunk.js';
+import { pngChunk } from '../png-chunk.js';
 
 /** Colours in rows from above. */
 export interface ColourRows {
@@ -83,16 +83,6 @@ export function packedRows(rows: ColourRows): Uint8Array {
   return zlibSync(filtered);
 }
 
-function chunk(type: string, data: Uint8Array): Uint8Array {
-  const whole = new Uint8Array(12 + data.length);
-  const view = new DataView(whole.buffer);
-  view.setUint32(0, data.length);
-  whole.set(new TextEncoder().encode(type), 4);
-  whole.set(data, 8);
-  view.setUint32(8 + data.length, remainder(whole.subarray(4, 8 + data.length)));
-  return whole;
-}
-
 function header({ width, height, channels }: ColourRows): Uint8Array {
   const data = new Uint8Array(13);
   const view = new DataView(data.buffer);
@@ -107,9 +97,9 @@ function header({ width, height, channels }: ColourRows): Uint8Array {
 export function pngFile(rows: ColourRows): Uint8Array {
   const parts = [
     Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a),
-    chunk('IHDR', header(rows)),
-    chunk('IDAT', packedRows(rows)),
-    chunk('IEND', new Uint8Array()),
+    pngChunk('IHDR', header(rows)),
+    pngChunk('IDAT', packedRows(rows)),
+    pngChunk('IEND', new Uint8Array()),
   ];
   const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
   let at = 0;

@@ -1,4 +1,5 @@
 import type { Looks, Material } from '../../model/looks.js';
+import { dot, length, minus, vectorAt, type Vector } from '../../model/vector.js';
 import { footprintOf } from './footprint.js';
 import type { Raster } from './raster.js';
 import { Sampler, type Footprint } from './sampler.js';
@@ -26,17 +27,11 @@ const farthest = 1e9;
 
 /** A face in its plane: the length of its first side, and the third corner along and beside it; mm. */
 function flatten({ vertices, faces }: Surface, face: number): [number, number, number] {
-  const side = (corner: number): number[] =>
-    [0, 1, 2].map(
-      (axis) =>
-        vertices[3 * faces[3 * face + corner]! + axis]! - vertices[3 * faces[3 * face]! + axis]!,
-    );
-  const [first, second] = [side(1), side(2)];
-  const dot = (one: number[], other: number[]): number =>
-    one.reduce((sum, value, axis) => sum + value * other[axis]!, 0);
-  const length = Math.sqrt(dot(first, first));
-  const along = length > 0 ? dot(first, second) / length : 0;
-  return [length, along, Math.sqrt(Math.max(0, dot(second, second) - along * along))];
+  const corner = (i: number): Vector => vectorAt(vertices, faces[3 * face + i]!);
+  const [first, second] = [minus(corner(1), corner(0)), minus(corner(2), corner(0))];
+  const size = length(first);
+  const along = size > 0 ? dot(first, second) / size : 0;
+  return [size, along, Math.sqrt(Math.max(0, dot(second, second) - along * along))];
 }
 
 /** Where the corners of a face lie in its picture; null if nothing says it. */

@@ -1,5 +1,5 @@
 import type { PaintPlan } from './paint-plan.js';
-import { cornersOf, NearestFace, normalOf } from './nearest-face.js';
+import { cornersOf, NearestFace, normalAt } from './nearest-face.js';
 import { SurfaceLook, type Surface } from './surface-look.js';
 
 /** The colour of a face at shares of its second and third corner; the array is used again. */
@@ -31,8 +31,8 @@ export class SurfaceMap {
   /** What lies nearest on the original, of all that looks the same way. */
   private lookOnOriginal(face: number, original: NearestFace): FaceColour {
     const { colour, model } = this;
-    const normal = normalOf(model, face);
     const corners = cornersOf({ ...model, faces: model.faces.subarray(3 * face, 3 * face + 3) });
+    const normal = normalAt(corners, 0);
     let hint = -1;
     return (b, c) => {
       const a = 1 - b - c;
