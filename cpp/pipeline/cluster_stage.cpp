@@ -1,4 +1,5 @@
 #include "mesh/input_error.h"
+#include "pipeline/equal_bodies.h"
 #include "pipeline/matrix_picture.h"
 #include "pipeline/model_size.h"
 #include "pipeline/stage.h"
@@ -32,6 +33,10 @@ Labels label_learned(const JobState& state, const Component& component) {
 /// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned
 /// on, one per row of the matrix; empty when nothing was learned and the component stays whole.
 Labels label_component(const JobState& state, Component& component) {
+  if (component.equal_to) {
+    carry_labels_of_equal(state.components, component);
+    return {};
+  }
   component.labels.assign(component.graph.panel_count(), 0);
   if (!component.learned) return {};
   const Learned& learned = *component.learned;

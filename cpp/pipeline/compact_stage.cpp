@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "pipeline/border_rooms.h"
+#include "pipeline/congruent_nets.h"
 #include "pipeline/paper_plan.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
@@ -24,7 +25,8 @@ constexpr double kGlueOfPolygons = 5;
 
 /// Makes nets better to craft: room for flaps, a small outline, strong necks, within the sheet; see
 /// `CraftCost`. Between the rounds those are cut again that no sheet holds all the same. Nets stay
-/// free of overlap, and those that fold straight are certified anew.
+/// free of overlap, and those that fold straight are certified anew. Of nets on congruent faces one
+/// is improved, and the others become its copies, so that equal parts are cut in equal ways.
 class CompactStage : public Stage {
  public:
   StageId id() const override { return StageId::kCompact; }
@@ -42,17 +44,12 @@ class CompactStage : public Stage {
   }
 
   void complete(JobState& state, TaskQueue& queue, int task, TaskResult result, Events&) override {
-    auto& compact = std::get<CompactResult>(result);
-    const int n = nets_.at(task);
-    nets_.erase(task);
-    FoundNet& net = state.nets[n];
-    if (net.folds != compact.folds) {
-      net.folds = std::move(compact.folds);
-      if (net.motion.kind == Folding::kLine) net.motion = straight_motion(net.folds);
+    if (const auto* planned = std::get_if<PlanResult>(&result)) {
+      checked(state, task, *planned);
+    } else {
+      compacted(state, task, std::get<CompactResult>(result));
     }
-    borders_->note(n, compact.borders);
-    state.moves += compact.moves;
-    if (nets_.empty() && ++round_ < kRounds) begin_round(state, queue);
+    if (nets_.empty() && copies_.empty()) go_on_with_round(state, queue);
   }
 
   double progress(const JobState& state, const Running& running) const override {
@@ -70,33 +67,101 @@ class CompactStage : public Stage {
     return state.options.compaction && !std::ranges::all_of(state.nets, is_kept);
   }
 
+  void compacted(JobState& state, int task, CompactResult& compact) {
+    const int n = nets_.at(task);
+    nets_.erase(task);
+    FoundNet& net = state.nets[n];
+    if (net.folds != compact.folds) {
+      net.folds = std::move(compact.folds);
+      if (net.motion.kind == Folding::kLine) net.motion = straight_motion(net.folds);
+    }
+    borders_->note(n, compact.borders);
+    state.moves += compact.moves;
+  }
+
+  /// A copy that folds as its twin does takes the place of the net.
+  void checked(JobState& state, int task, const PlanResult& planned) {
+    auto& [n, copy] = copies_.at(task);
+    if (planned.motion.kind == Folding::kLine) {
+      copy.motion = planned.motion;
+      state.nets[n] = std::move(copy);
+    }
+    copies_.erase(task);
+  }
+
+  /// A round has three steps: one net of each kind is improved, the others become its copies, and
+  /// where these have changed, the room at their borders is measured for the next round.
+  void go_on_with_round(JobState& state, TaskQueue& queue) {
+    if (step_ == Step::kImprove) {
+      step_ = Step::kCopy;
+      copy_twins(state, queue);
+    }
+    if (step_ == Step::kCopy && copies_.empty()) {
+      step_ = Step::kMeasure;
+      if (round_ + 1 < kRounds) measure_twins(state, queue);
+    }
+    if (step_ != Step::kMeasure || !nets_.empty() || ++round_ >= kRounds) return;
+    begin_round(state, queue);
+  }
+
+  void copy_twins(JobState& state, TaskQueue& queue) {
+    for (int n = 0; n < static_cast<int>(twins_.size()); ++n) {
+      if (!twins_[n]) continue;
+      auto copy = copy_of_twin(state, state.nets[n], *twins_[n]);
+      if (!copy) continue;
+      if (state.nets[twins_[n]->of].motion.certified() && !copy->motion.certified()) {
+        // The planner tries first whether it folds straight.
+        PlanTask task{copy->folds, state.options.clearance, 0};
+        copies_[queue.add(state.surface, panels_of(state, n), std::move(task))] = {n, *copy};
+      } else {
+        state.nets[n] = *std::move(copy);
+      }
+    }
+  }
+
+  void measure_twins(JobState& state, TaskQueue& queue) {
+    for (int n = 0; n < static_cast<int>(twins_.size()); ++n) {
+      if (twins_[n]) queue_net(state, queue, n);
+    }
+  }
+
   /// Round -1 measures what room there is.
   void begin_round(JobState& state, TaskQueue& queue) {
+    step_ = Step::kImprove;
     if (round_ == 1 && state.options.size.by != Sizing::kSheets) {
       const std::size_t before = state.nets.size();
       state.nets = recut_nets(state, std::move(state.nets), scale_);
       if (state.nets.size() != before) borders_.reset();
     }
     if (!borders_) borders_.emplace(state);
+    if (round_ >= 0) twins_ = find_twins(state);
     for (int n = 0; n < static_cast<int>(state.nets.size()); ++n) queue_net(state, queue, n);
   }
 
   void queue_net(const JobState& state, TaskQueue& queue, int n) {
     const FoundNet& net = state.nets[n];
-    const Component& component = state.components[net.region.component];
-    std::vector<int> panels;
-    for (const int panel : net.region.panels) panels.push_back(component.panels[panel]);
+    std::vector<int> panels = panels_of(state, n);
     const std::uint64_t seed =
         task_seed(state.options.seed, SeedTag::kAnnealing, static_cast<std::uint64_t>(n),
                   static_cast<std::uint64_t>(round_ + 1));
     // A net that folds over waypoints only stays as it is: its motion is known for this tree alone.
-    // So does one that an edit leaves alone.
-    const bool stays = round_ < 0 || net.motion.kind == Folding::kWaypoints || net.region.kept;
+    // So does one that an edit leaves alone, and one that becomes a copy.
+    const bool stays = round_ < 0 || net.motion.kind == Folding::kWaypoints || net.region.kept ||
+                       twins_[n].has_value();
     CompactTask task{net.folds, craft_options(state, n), {}};
     task.annealing.work = stays ? 0 : work_for(state, panels.size());
     task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.clearance : 0;
     task.annealing.seed = seed;
     nets_[queue.add(state.surface, std::move(panels), std::move(task))] = n;
+  }
+
+  static std::vector<int> panels_of(const JobState& state, int n) {
+    const Region& region = state.nets[n].region;
+    std::vector<int> panels;
+    for (const int panel : region.panels) {
+      panels.push_back(state.components[region.component].panels[panel]);
+    }
+    return panels;
   }
 
   static std::int64_t work_for(const JobState& state, std::size_t panels) {
@@ -126,6 +191,14 @@ class CompactStage : public Stage {
   int round_ = -1;
   std::optional<BorderRooms> borders_;
   std::map<int, int> nets_;  ///< by task
+  std::vector<std::optional<Twin>> twins_;
+  struct Copy {
+    int net;
+    FoundNet copy;
+  };
+  std::map<int, Copy> copies_;  ///< that are looked at whether they fold, by task
+  enum class Step { kImprove, kCopy, kMeasure };
+  Step step_ = Step::kImprove;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 /// A component that stays whole, or is tried whole first, needs no learning, if that is not too
 /// large for a sheet.
 bool needs_learning(const JobState& state, const Component& component) {
-  if (component.graph.panel_count() == 1) return false;
+  if (component.graph.panel_count() == 1 || component.equal_to) return false;
   if (component.parts > 0) return component.parts > 1;
   const std::vector<double>& areas = component.graph.areas;
   return !component.whole_first || std::accumulate(areas.begin(), areas.end(), 0.0) >

@@ -4,6 +4,7 @@
 
 #include "mesh/input_error.h"
 #include "pipeline/edits.h"
+#include "pipeline/equal_bodies.h"
 #include "pipeline/net_edits.h"
 #include "pipeline/recut_nets.h"
 #include "pipeline/stage.h"
@@ -117,6 +118,7 @@ class ReadStage : public Stage {
       foresee_cost(state, events);
       state.components = make_components(state.surface->graph);
       decide_parts(state);
+      find_equal_bodies(state.components, state.surface->mesh);
     }
   }
 

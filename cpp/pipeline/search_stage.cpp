@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/coarser_parts.h"
+#include "pipeline/equal_bodies.h"
 #include "pipeline/learning.h"
 #include "pipeline/net_split.h"
 #include "pipeline/part_trees.h"
@@ -63,6 +64,8 @@ class SearchStage : public Stage {
     for (int part = 0; part < trees_->part_count(); ++part) {
       Region region = trees_->region(state, part);
       Component& component = state.components[region.component];
+      if (component.equal_to) continue;
+      panels_to_search_ += static_cast<int>(region.panels.size());
       if (component.kept.empty()) {
         regions.push_back(std::move(region));
         continue;
@@ -92,7 +95,9 @@ class SearchStage : public Stage {
     }
     if (!searches_.empty() || trees_->exchanging() || regroup(state, queue)) return;
     if (!trees_->begin_exchange(state, queue)) accept_or_split_rest(state, queue, events);
-    if (searches_.empty() && waiting_.empty() && !trees_->exchanging()) finish(state, queue);
+    if (searches_.empty() && waiting_.empty() && !trees_->exchanging()) {
+      finish(state, queue, events);
+    }
   }
 
   void end(JobState& state, Events& events) override {
@@ -109,9 +114,10 @@ class SearchStage : public Stage {
   }
 
   void salvage(JobState& state) override {
-    label_faces(state);
     trees_->collect(state);
     coarser_.abandon(state);
+    if (!std::exchange(carried_equal_, true)) add_nets_of_equal(state);
+    label_faces(state);
     sort_nets(state);  // however the searches ended
   }
 
@@ -123,7 +129,7 @@ class SearchStage : public Stage {
     }
   }
 
-  double progress(const JobState& state, const Running& running) const override {
+  double progress(const JobState&, const Running& running) const override {
     double done = panels_done_;
     for (const auto& [task, status] : running) {
       const auto search = searches_.find(task);
@@ -132,17 +138,54 @@ class SearchStage : public Stage {
       done +=
           kSearchShare * status.progress * static_cast<double>(search->second.region.panels.size());
     }
-    return std::min(1.0, done / state.surface->graph.panel_count());
+    return std::min(1.0, done / std::max(1, panels_to_search_));
   }
 
  private:
-  /// Every region has its net. Bodies whose parts came to many pieces are searched as a whole once.
-  void finish(JobState& state, TaskQueue& queue) {
+  /// Every region has its net. Bodies whose parts came to many pieces are searched as a whole once;
+  /// then bodies that are equal to others get the nets of these.
+  void finish(JobState& state, TaskQueue& queue, Events& events) {
     if (coarser_.trying()) {
       labels_changed_ |= coarser_.end(state);
     } else if (!std::exchange(tried_coarser_, true) && !state.start) {
       trees_->collect(state);
       for (Region& whole : coarser_.begin(state)) start(state, queue, std::move(whole));
+    }
+    if (!searches_.empty() || std::exchange(carried_equal_, true)) return;
+    trees_->collect(state);
+    labels_changed_ |= follow_equal_bodies(state);
+    for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
+      if (!state.components[c].equal_to) continue;
+      std::vector<FoundNet> nets = nets_of_equal(state, c);
+      if (nets.empty()) search_after_all(state, queue, c);
+      for (FoundNet& net : nets) carry(state, queue, std::move(net), events);
+    }
+  }
+
+  /// A net of an equal body becomes one of its own. Where it is not equal to the last digit, it is
+  /// looked at again whether it folds.
+  void carry(JobState& state, TaskQueue& queue, FoundNet net, Events& events) {
+    Search search{std::move(net.region), 0, 0, {}, {}};
+    search.best = {std::move(net.folds), 0, 0, std::move(net.motion)};
+    if (search.best.motion.kind == Folding::kUnchecked && wants_motion(state, search.region) &&
+        !is_too_large_to_plan(state, search.region)) {
+      search.key = key_of(search.region);
+      plan(state, queue, std::move(search));
+    } else {
+      accept(state, std::move(search), events);
+    }
+  }
+
+  /// The parts of a body in which the nets of its equal overlap by a hair.
+  void search_after_all(const JobState& state, TaskQueue& queue, int c) {
+    const Component& component = state.components[c];
+    for (int label = 0; label < static_cast<int>(component.part_numbers.size()); ++label) {
+      const int part = component.part_numbers[label];
+      Region region{c, part, part < trees_->part_count() ? Cause::kPart : Cause::kNoNet, {}};
+      for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
+        if (component.labels[panel] == label) region.panels.push_back(panel);
+      }
+      start(state, queue, std::move(region));
     }
   }
 
@@ -401,12 +444,13 @@ class SearchStage : public Stage {
   std::optional<PartTrees> trees_;
   CoarserParts coarser_;
   bool tried_coarser_ = false;
+  bool carried_equal_ = false;
   SearchHistory history_;
   std::map<int, Search> searches_;   ///< by task
   std::vector<Learning> learnings_;  ///< asked for only because a region must be split
   std::vector<Region> waiting_;      ///< regions to split once their component is learned
   std::set<int> told_parts_;
-  int panels_done_ = 0;
+  int panels_to_search_ = 0, panels_done_ = 0;
   int nets_found_ = 0;
   bool labels_changed_ = false;
 };

@@ -12,6 +12,7 @@
 #include "pipeline/options.h"
 #include "pipeline/source_model.h"
 #include "pipeline/task.h"
+#include "unfold/congruence.h"
 
 namespace foldwright {
 
@@ -49,6 +50,12 @@ struct FoundNet {
   std::optional<HeldPlace> place = {};  ///< of an earlier result, where it lay
 };
 
+/// A body that is congruent to another one, whose nets become its own.
+struct EqualBody {
+  int like;               ///< index of the other component, a lower one
+  Congruence congruence;  ///< from the panels of that one
+};
+
 /// An edge-connected set of panels that is made into parts by itself: a body of the model, or what
 /// an edit of an earlier result leaves or makes.
 struct Component {
@@ -61,7 +68,8 @@ struct Component {
   Labels labels;  ///< per panel of `graph`: its part within the component
   /// Numbers of its parts among all of the model, ascending; empty until they are known.
   std::vector<int> part_numbers;
-  std::vector<FoundNet> kept;  ///< nets of an earlier result, or none
+  std::optional<EqualBody> equal_to;  ///< learned, clustered and searched is only the other one
+  std::vector<FoundNet> kept;         ///< nets of an earlier result, or none
   /// Shares of a part that are searched again beside the nets kept: panels of `graph`, ascending.
   std::vector<std::vector<int>> open;
 };

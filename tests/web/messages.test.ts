@@ -27,6 +27,7 @@ const own = Object.keys({
   'short-seams': 0,
   'empty-sheet': 0,
   'tiny-pieces': 0,
+  'equal-pieces': 0,
   'bad-3mf': 0,
   'bad-archive': 0,
   'bad-gltf': 0,
@@ -71,6 +72,10 @@ const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'missing-names', params: { pieces: ['B'] } },
     'no room for its name on piece B; short names need less',
+  ],
+  [
+    { code: 'equal-pieces', params: { pieces: [...'ADFG'] } },
+    'the same piece is needed 4 times: pieces A, D, F, G',
   ],
   [
     { code: 'missing-names', params: { pieces: [...'ABCDEFGHIJKLMNO'] } },

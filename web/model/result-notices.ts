@@ -1,3 +1,4 @@
+import { equalPiecesNotices } from './equal-pieces.js';
 import type { JobResult, Notice } from './job.js';
 import { leftOut } from './left-out.js';
 import { printAdvice } from './print-advice.js';
@@ -29,6 +30,7 @@ export function resultNotices(
     ...result.notices,
     ...printed,
     ...leftOut(result),
+    ...equalPiecesNotices(result),
     ...printAdvice(result, margin),
   ];
 }

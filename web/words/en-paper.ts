@@ -91,4 +91,6 @@ export const paperMessages = {
   'tiny-pieces': ({ pieces: names }) =>
     `${pieces(names)} ${choose(names.length, 'is', 'are')} smaller than 10 mm and easily lost: cut ` +
     `${choose(names.length, 'it', 'them')} out last`,
+  'equal-pieces': ({ pieces: names }) =>
+    `the same piece is needed ${count(names.length, 'time')}: ${pieces(names)}`,
 } satisfies Partial<Table>;

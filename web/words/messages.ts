@@ -255,6 +255,7 @@ export interface OwnMessages {
   'empty-sheet': { sheet: number; percent: number; pieces: string[] };
   'tiny-pieces': { pieces: string[] };
   'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
+  'equal-pieces': { pieces: string[] };
 }
 
 export interface Messages extends EngineMessages, OwnMessages {}
