@@ -38,7 +38,8 @@ constexpr Name<GlueStrips> kGlueStrips[] = {
 constexpr Name<IdPlace> kIdPlaces[] = {{"none", IdPlace::kNone},
                                        {"inside", IdPlace::kInside},
                                        {"flap", IdPlace::kFlap},
-                                       {"both", IdPlace::kBoth}};
+                                       {"both", IdPlace::kBoth},
+                                       {"outside", IdPlace::kOutside}};
 constexpr Name<Unit> kUnits[] = {{"guess", Unit::kGuess},
                                  {"mm", Unit::kMillimetre},
                                  {"cm", Unit::kCentimetre},
@@ -112,6 +113,7 @@ JobOptions options_from(const val& object) {
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, word(object["orientation"]));
+  options.min_piece = object["minPiece"].as<double>();
   options.sheet.margin = object["margin"].as<double>();
   return options;
 }

@@ -92,6 +92,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "parts-raised",
     "pin-lost",
     "sheet-split",
+    "small-bodies",
     "smaller-saves-sheets",
     "unchecked-pieces",
     "unit-guessed",

@@ -16,14 +16,6 @@ constexpr double kReach = 12;
 // Between the end of a line and the edge that it leads to.
 constexpr double kToEdge = 0.25;
 
-/// Where the way from the middle of a box to a point leaves the box.
-Vec2 exit_of(const TextBox& box, const Vec2& towards) {
-  const Vec2 way = towards - box.centre;
-  const double x = std::abs(way.dot(box.along)) / box.half_width;
-  const double y = std::abs(way.dot(box.up())) / box.half_height;
-  return box.centre + way / std::max({x, y, 1.0});
-}
-
 Box2 box_of_net(const Net& net) { return box_of(net.vertices); }
 
 }  // namespace

@@ -12,7 +12,8 @@ enum class IdPlace {
   kNone,
   kInside,  ///< on the faces, beside the edge
   kFlap,    ///< on flaps, and beside edges without one
-  kBoth
+  kBoth,
+  kOutside  ///< on flaps, and beyond edges without one, on what is cut off
 };
 
 /// A short text on a piece: the piece's name, or the id of an edge.

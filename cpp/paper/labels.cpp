@@ -10,12 +10,25 @@
 #include "paper/tape_marks.h"
 
 namespace foldwright {
+namespace {
+
+// Around a net, mm: as far as ids beside it may be away, and their length.
+constexpr double kAround = 30;
+
+// Of the names of pieces where these stand, mm: as ids, which they are read with.
+constexpr double kStandingSizes[] = {3, 2.5, 2};
+constexpr double kStandingClearance = 0.25;
+
+}  // namespace
 
 class LabelPlacer::Work {
  public:
   explicit Work(const LabelTask& task) : task_(task), seams_(find_seams(task.nets)) {
     ids_ = name_seams(task.nets, task.names, seams_, task.joints);
     add_joints();
+    for (std::size_t n = 0; n < task.standings.size(); ++n) {
+      std::ranges::copy(task.standings[n].lines, std::back_inserter(plan_.joint_lines[n]));
+    }
     written_.resize(seams_.size());
     sides_.resize(task.nets.size());
     for (int i = 0; i < static_cast<int>(seams_.size()); ++i) {
@@ -58,6 +71,9 @@ class LabelPlacer::Work {
     for (const SeamStep& step : sides_[n]) {
       task.ids.push_back({&at(step), ids_[step.seam].texts[step.side]});
     }
+    if (task_.place == IdPlace::kOutside) {
+      task.around = task_.sheets->around(static_cast<int>(n), kAround);
+    }
     return task;
   }
 
@@ -80,6 +96,9 @@ class LabelPlacer::Work {
 
   void add(PieceTexts texts) {
     const std::vector<SeamStep>& sides = sides_[texts_.size()];
+    for (const TextBox& text : texts.outside) {
+      task_.sheets->take(static_cast<int>(texts_.size()), text);
+    }
     for (std::size_t i = 0; i < sides.size(); ++i) {
       written_[sides[i].seam][sides[i].side] = texts.is_written[i];
     }
@@ -114,7 +133,31 @@ class LabelPlacer::Work {
     }
   }
 
+  /// Writes in the rim of what stands on a net what it is called.
+  void name_standings() {
+    for (std::size_t n = 0; n < task_.standings.size(); ++n) {
+      if (task_.standings[n].names.empty()) continue;
+      LabelSpace space = space_of(static_cast<int>(n));
+      for (const auto& [guest, centre] : task_.standings[n].names) {
+        const auto net = std::ranges::find_if(task_.nets, [&](const Net& net) {
+          return std::ranges::binary_search(net.faces, guest);
+        });
+        if (net == task_.nets.end()) continue;
+        const std::string& name = task_.names[net - task_.nets.begin()];
+        for (const double size : kStandingSizes) {
+          const TextBox box = box_around(name, size, centre, Vec2(1, 0), kStandingClearance);
+          if (!space.is_free(box)) continue;
+          space.take(box);
+          texts_[n].boxes.push_back(box);
+          texts_[n].labels.push_back({name, centre, 0, size});
+          break;
+        }
+      }
+    }
+  }
+
   void finish() {
+    name_standings();
     mark_for_tape();
     for (std::size_t i = 0; i < seams_.size(); ++i) {
       const Seam& seam = seams_[i];

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "paper/contacts.h"
 #include "paper/flaps.h"
 #include "paper/label.h"
 #include "paper/seam_ids.h"
@@ -40,9 +41,11 @@ struct LabelTask {
   std::span<const std::vector<Flap>> flaps;  ///< per net
   std::span<const std::string> names;        ///< per net
   IdPlace place = IdPlace::kFlap;
-  std::span<const int> tape = {};     ///< mesh edges to mark for tape, ascending
-  std::span<const Seam> joints = {};  ///< of the nets, see `find_joint_seams`
-  TextMemory* memory = nullptr;       ///< of nets that had texts before, if there are some
+  std::span<const int> tape = {};             ///< mesh edges to mark for tape, ascending
+  std::span<const Seam> joints = {};          ///< of the nets, see `find_joint_seams`
+  TextMemory* memory = nullptr;               ///< of nets that had texts before, if there are some
+  SheetObstacles* sheets = nullptr;           ///< gets texts beside nets; for `IdPlace::kOutside`
+  std::span<const Standings> standings = {};  ///< per net, or empty
 };
 
 /// Names pieces, writes the id of each seam at both of its sides (`seam_ids.h`), and marks edges
@@ -51,7 +54,8 @@ struct LabelTask {
 /// Texts of ids lie along their edges, as large as those allow, short ones first. What does not fit
 /// there in a size that is easy to read stands near by, with a line that leads to the edge; only
 /// what has no place either becomes smaller. No text touches a line that is drawn, or another text.
-/// Where a joint's host shows no line a line is drawn.
+/// Where a joint's host shows no line a line is drawn. Where a body stands flat on another one its
+/// rim is drawn, and within that the name of its piece if that has room.
 class LabelPlacer {
  public:
   /// What the task refers to must outlive the placer.

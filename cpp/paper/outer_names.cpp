@@ -19,20 +19,14 @@ constexpr double kSizes[] = {3.5, 2.5, 2};
 // How far a name may be away from its piece, in turn; mm. The least leaves the line to see.
 constexpr double kAways[] = {1, 1.5, 2, 3, 5, 8};
 
+// What may be in the way of a name: as far as it can be away from its piece, and a long one.
+constexpr double kReach = 60;
+
 // What stays free between a name and whatever else there is, mm.
 constexpr double kClearance = 0.4;
 
 // Between the places that are tried, mm.
 constexpr double kStep = 0.5;
-
-using Polygon = std::vector<Vec2>;
-
-/// Something on a sheet that no name may lie on.
-struct Obstacle {
-  Polygon polygon;  ///< convex, counter-clockwise; from the sheet's lower left
-  Box2 box;
-  int piece;  ///< -1: of none
-};
 
 std::array<Vec2, 4> corners_of(const Vec2& centre, const Vec2& half) {
   return {centre - half, centre + Vec2(half.x(), -half.y()), centre + half,
@@ -48,63 +42,39 @@ Vec2 nearest_on(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 class OuterNames {
  public:
-  explicit OuterNames(const OuterNameTask& task) : task_(task), on_(task.layout.sheet_count) {
-    for (int i = 0; i < static_cast<int>(task.pieces.size()); ++i) {
-      const Placement& place = task.layout.placements[i];
-      for (Polygon polygon : task.pieces[i].polygons) {
-        for (Vec2& p : polygon) p += Vec2(place.x, place.y);
-        add(place.sheet, std::move(polygon), i);
-      }
-    }
-    for (const Strip& strip : task.strips) {
-      add(strip.sheet, {strip.outline.begin(), strip.outline.end()}, -1);
-    }
-  }
+  explicit OuterNames(const OuterNameTask& task) : task_(task) {}
 
   /// The name of a piece as a label in the coordinates of the piece.
   std::optional<Label> write(int piece) {
-    const Placement& place = task_.layout.placements[piece];
+    const Surroundings around = task_.sheets.around(piece, kReach);
     for (const double size : kSizes) {
       const TextBox text = box_around(task_.names[piece], size, Vec2::Zero(), Vec2::UnitX(), 0);
       const Vec2 half(text.half_width, text.half_height);
       for (const double away : kAways) {
-        const auto found = find(piece, half, away);
+        const auto found = find(around, piece, half, away);
         if (!found) continue;
-        const Stroke leader = leader_from(piece, *found, half);
-        const auto corners = corners_of(*found, half);
-        add(place.sheet, {corners.begin(), corners.end()}, -1);
-        const Vec2 origin(place.x, place.y);
-        return Label{task_.names[piece],
-                     *found - origin,
-                     0,
-                     size,
-                     Stroke{leader.from - origin, leader.to - origin},
-                     true};
+        task_.sheets.take(piece, {*found, Vec2::UnitX(), half.x(), half.y()});
+        return Label{
+            task_.names[piece], *found, 0, size, leader_from(around, piece, *found, half), true};
       }
     }
     return std::nullopt;
   }
 
  private:
-  void add(int sheet, Polygon polygon, int piece) {
-    const Box2 box = box_of(polygon);
-    on_[sheet].push_back({std::move(polygon), box, piece});
-  }
-
   /// The first place from the upper left where a text reaches its piece only if it grows by `away`,
   /// and nothing else by then.
-  std::optional<Vec2> find(int piece, const Vec2& half, double away) const {
-    const Placement& place = task_.layout.placements[piece];
-    const Box2 own = box_of_piece(piece).grown(away);
-    const double least = ruled_margin(task_.options);
-    const Vec2 most =
-        Vec2(task_.layout.sheet_width, task_.layout.sheet_height).array() - task_.options.margin;
-    const Vec2 low = (Vec2(own.min[0], own.min[1]) - half).cwiseMax(Vec2(least, least) + half);
+  static std::optional<Vec2> find(const Surroundings& around, int piece, const Vec2& half,
+                                  double away) {
+    const Box2 own = box_of_piece(around, piece).grown(away);
+    const Vec2 least(around.paper.min[0], around.paper.min[1]);
+    const Vec2 most(around.paper.max[0], around.paper.max[1]);
+    const Vec2 low = (Vec2(own.min[0], own.min[1]) - half).cwiseMax(least + half);
     const Vec2 high = (Vec2(own.max[0], own.max[1]) + half).cwiseMin(most - half);
-    const Box2 around = box_of(std::array<Vec2, 2>{low - half, high + half});
+    const Box2 reach = box_of(std::array<Vec2, 2>{low - half, high + half}).grown(away);
     std::vector<const Obstacle*> near;
-    for (const Obstacle& obstacle : on_[place.sheet]) {
-      if (obstacle.box.meets(around.grown(away))) near.push_back(&obstacle);
+    for (const Obstacle& obstacle : around.obstacles) {
+      if (obstacle.box.meets(reach)) near.push_back(&obstacle);
     }
     for (double y = high.y(); y >= low.y(); y -= kStep) {
       for (double x = low.x(); x <= high.x(); x += kStep) {
@@ -131,16 +101,18 @@ class OuterNames {
     return touches_own;
   }
 
-  Box2 box_of_piece(int piece) const {
-    const Placement& place = task_.layout.placements[piece];
-    std::vector<Vec2> points = task_.pieces[piece].points();
-    for (Vec2& p : points) p += Vec2(place.x, place.y);
+  static Box2 box_of_piece(const Surroundings& around, int piece) {
+    std::vector<Vec2> points;
+    for (const Obstacle& obstacle : around.obstacles) {
+      if (obstacle.piece != piece) continue;
+      points.insert(points.end(), obstacle.polygon.begin(), obstacle.polygon.end());
+    }
     return box_of(points);
   }
 
   /// From the box of a text straight to the nearest point of its piece.
-  Stroke leader_from(int piece, const Vec2& centre, const Vec2& half) const {
-    const Placement& place = task_.layout.placements[piece];
+  static Stroke leader_from(const Surroundings& around, int piece, const Vec2& centre,
+                            const Vec2& half) {
     Stroke best = {centre, centre};
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Vec2& from, const Vec2& to) {
@@ -150,9 +122,9 @@ class OuterNames {
       best = {from, to};
     };
     const std::array<Vec2, 4> box = corners_of(centre, half);
-    for (const Obstacle& obstacle : on_[place.sheet]) {
+    for (const Obstacle& obstacle : around.obstacles) {
       if (obstacle.piece != piece) continue;
-      const Polygon& polygon = obstacle.polygon;
+      const std::vector<Vec2>& polygon = obstacle.polygon;
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec2& next = polygon[(i + 1) % polygon.size()];
         for (std::size_t j = 0; j < box.size(); ++j) {
@@ -166,7 +138,6 @@ class OuterNames {
   }
 
   OuterNameTask task_;
-  std::vector<std::vector<Obstacle>> on_;  ///< per sheet
 };
 
 bool has_name(const std::vector<Label>& labels, const std::string& name) {
@@ -177,7 +148,7 @@ bool has_name(const std::vector<Label>& labels, const std::string& name) {
 
 void write_outer_names(const OuterNameTask& task, LabelPlan& plan) {
   OuterNames names(task);
-  for (int i = 0; i < static_cast<int>(task.pieces.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(task.names.size()); ++i) {
     if (has_name(plan.labels[i], task.names[i])) continue;
     const auto label = names.write(i);
     if (label) plan.labels[i].insert(plan.labels[i].begin(), *label);

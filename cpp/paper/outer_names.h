@@ -4,16 +4,13 @@
 #include <string>
 
 #include "paper/labels.h"
-#include "paper/strips.h"
+#include "paper/sheet_obstacles.h"
 
 namespace foldwright {
 
 /// What lies on the sheets when names are written beside pieces.
 struct OuterNameTask {
-  std::span<const Footprint> pieces;  ///< turned, their boxes from (0, 0)
-  const SheetLayout& layout;
-  SheetOptions options;
-  std::span<const Strip> strips;
+  SheetObstacles& sheets;              ///< gets the names as well
   std::span<const std::string> names;  ///< per piece
 };
 

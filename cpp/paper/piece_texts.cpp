@@ -9,6 +9,7 @@
 
 #include "paper/callouts.h"
 #include "paper/label_space.h"
+#include "paper/outer_ids.h"
 
 namespace foldwright {
 namespace {
@@ -143,9 +144,23 @@ class Writer {
     return true;
   }
 
+  /// Writes beside the net what does not fit on a flap: along the edge, or apart with a line that
+  /// leads there.
+  bool write_outside(const Stroke& edge, const std::string& text, OuterIdFinder& finder,
+                     bool is_apart) {
+    const auto found =
+        is_apart ? finder.apart(edge, text, kEasyLed) : finder.beside(edge, text, kEasySizes);
+    if (!found) return false;
+    finder.take(found->box);
+    write(text, found->size, found->box);
+    if (is_apart) labels_.back().leader = found->leader;
+    return true;
+  }
+
   /// Keeps texts off a line.
   void keep_off(const Stroke& line) { space_.take(line); }
 
+  std::size_t text_count() const { return labels_.size(); }
   std::vector<Label> take_labels() { return std::move(labels_); }
   std::vector<TextBox> take_boxes() { return std::move(boxes_); }
 
@@ -240,53 +255,81 @@ class PieceWriter::Work {
         is_written_(task_.ids.size(), 0),
         open_(task_.ids.size()) {
     std::iota(open_.begin(), open_.end(), 0);
+    if (task_.place == IdPlace::kOutside) outer_.emplace(*task_.around);
   }
 
   bool step() {
     if (round_ == Round::kName) {
       for (const Stroke& line : task_.lines) writer_.keep_off(line);
       writer_.write_name(*task_.net, task_.name);
-      round_ = Round::kEasy;
+      round_ = task_.place == IdPlace::kOutside ? Round::kOutside : Round::kEasy;
       return task_.place == IdPlace::kNone;
     }
     for (int i = 0; i < kSidesPerStep && next_ < open_.size(); ++i) serve(open_[next_++]);
     if (next_ < open_.size()) return false;
     if (round_ == Round::kLedSmall) return true;
     // What found no place yet, once all else stands.
-    round_ = static_cast<Round>(static_cast<int>(round_) + 1);
+    round_ = round_after(round_);
     std::erase_if(open_, [&](int id) { return is_written_[id]; });
     next_ = 0;
     return open_.empty();
   }
 
   PieceTexts take() {
-    return {writer_.take_labels(), writer_.take_boxes(), std::move(is_written_)};
+    std::vector<TextBox> boxes = writer_.take_boxes();
+    std::vector<TextBox> outside;
+    for (const std::size_t i : outside_) outside.push_back(boxes[i]);
+    return {writer_.take_labels(), std::move(boxes), std::move(is_written_), std::move(outside)};
   }
 
  private:
   /// How texts are placed, one after the other: beside their edges or with a line that leads there,
-  /// in sizes that are easy to read and in small ones.
-  enum class Round { kName, kEasy, kLed, kSmall, kLedSmall };
+  /// in sizes that are easy to read and in small ones. Where ids are to stand outside they go onto
+  /// flaps and beside the net first, and onto faces only if there is no place.
+  enum class Round { kName, kOutside, kLedOutside, kEasy, kLed, kSmall, kLedSmall };
+
+  static Round round_after(Round round) { return static_cast<Round>(static_cast<int>(round) + 1); }
 
   void serve(int id) {
     const auto& [side, text] = task_.ids[id];
+    if (round_ == Round::kOutside || round_ == Round::kLedOutside) {
+      is_written_[id] = serve_outside(*side, text);
+      return;
+    }
     if (round_ == Round::kLed || round_ == Round::kLedSmall) {
       const auto sizes = round_ == Round::kLed ? std::span<const double>(kEasyLed) : kSmallSizes;
       is_written_[id] = writer_.call_out(*side, text, sizes);
       return;
     }
     const auto sizes = round_ == Round::kEasy ? std::span<const double>(kEasySizes) : kSmallSizes;
-    const auto flap = std::ranges::lower_bound(task_.flaps, side->edge(), {}, &Flap::edge);
-    const bool has_flap = flap != task_.flaps.end() && flap->edge == side->edge();
-    const bool on_flap = has_flap && task_.place != IdPlace::kInside &&
+    const Flap* flap = flap_of(*side);
+    const bool on_flap = flap && task_.place != IdPlace::kInside &&
                          writer_.write_in_band(flap_band(*side, *flap), text, sizes);
-    const bool is_enough = on_flap && task_.place == IdPlace::kFlap;
+    const bool is_enough = on_flap && task_.place != IdPlace::kBoth;
     is_written_[id] =
         is_enough || writer_.write_in_band(inside_band(*side), text, sizes) || on_flap;
   }
 
+  const Flap* flap_of(const SeamSide& side) const {
+    const auto flap = std::ranges::lower_bound(task_.flaps, side.edge(), {}, &Flap::edge);
+    return flap != task_.flaps.end() && flap->edge == side.edge() ? &*flap : nullptr;
+  }
+
+  bool serve_outside(const SeamSide& side, const std::string& text) {
+    const Flap* flap = flap_of(side);
+    const bool is_apart = round_ == Round::kLedOutside;
+    if (flap && !is_apart) return writer_.write_in_band(flap_band(side, *flap), text, kEasySizes);
+    const Stroke edge =
+        flap ? Stroke{flap->corners[1], flap->corners[2]} : Stroke{side.from, side.to};
+    if (!writer_.write_outside(edge, text, *outer_, is_apart)) return false;
+    outside_.push_back(writer_.text_count() - 1);
+    return true;
+  }
+
   PieceTextTask task_;
   Writer writer_;
+  std::optional<OuterIdFinder> outer_;  ///< of ids that are to stand outside
+  std::vector<std::size_t> outside_;    ///< the texts that do
   std::vector<char> is_written_;
   std::vector<int> open_;  ///< ids that are to be served in this round
   std::size_t next_ = 0;   ///< of `open_`

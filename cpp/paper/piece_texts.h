@@ -8,6 +8,7 @@
 #include "paper/flaps.h"
 #include "paper/label.h"
 #include "paper/seams.h"
+#include "paper/sheet_obstacles.h"
 
 namespace foldwright {
 
@@ -23,8 +24,9 @@ struct PieceTextTask {
   std::span<const Flap> flaps;  ///< of the net
   std::string name;
   IdPlace place = IdPlace::kFlap;
-  std::span<const Stroke> lines;  ///< that texts keep off, beside those of net and flaps
-  std::vector<SideId> ids;        ///< in the order in which they choose their places
+  std::span<const Stroke> lines;            ///< that texts keep off, beside those of net and flaps
+  std::vector<SideId> ids;                  ///< in the order in which they choose their places
+  std::optional<Surroundings> around = {};  ///< on the sheet; needed for `IdPlace::kOutside`
 };
 
 /// What was written on a net.
@@ -32,6 +34,7 @@ struct PieceTexts {
   std::vector<Label> labels;     ///< the name comes first if it is there
   std::vector<TextBox> boxes;    ///< of the labels
   std::vector<char> is_written;  ///< per id
+  std::vector<TextBox> outside;  ///< of the labels that stand beside the net
 };
 
 /// Writes name and ids on one net, see `LabelPlacer`. Depends on the task alone.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "paper/flap_room.h"
 #include "paper/raster.h"
 
 namespace foldwright {

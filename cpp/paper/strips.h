@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "paper/labels.h"
+#include "paper/label.h"
 #include "paper/seams.h"
 #include "paper/sheets.h"
 

@@ -45,6 +45,13 @@ TextBox box_around(const std::string& text, double size, const Vec2& centre, con
           0.5 * height * size + clearance};
 }
 
+Vec2 exit_of(const TextBox& box, const Vec2& towards) {
+  const Vec2 way = towards - box.centre;
+  const double x = std::abs(way.dot(box.along)) / box.half_width;
+  const double y = std::abs(way.dot(box.up())) / box.half_height;
+  return box.centre + way / std::max({x, y, 1.0});
+}
+
 bool meets(const TextBox& box, const Stroke& stroke) {
   // Liang and Barsky's clipping, in the directions of the box.
   double enter = 0;

@@ -32,6 +32,10 @@ struct TextBox {
 TextBox box_around(const std::string& text, double size, const Vec2& centre, const Vec2& along,
                    double clearance);
 
+/// Where the straight way from the middle of a box to a point leaves the box; the point itself if
+/// it is inside.
+Vec2 exit_of(const TextBox& box, const Vec2& towards);
+
 /// Whether a stroke has a point within a box.
 bool meets(const TextBox& box, const Stroke& stroke);
 

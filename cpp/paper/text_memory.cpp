@@ -59,6 +59,14 @@ void add_id(const SideId& id, Bytes& bytes) {
   bytes.add(id.text);
 }
 
+void add_surroundings(const Surroundings& around, Bytes& bytes) {
+  for (const double value : around.paper.min) bytes.add(value);
+  for (const double value : around.paper.max) bytes.add(value);
+  bytes.add_all(around.obstacles, [&](const Obstacle& obstacle) {
+    bytes.add_all(obstacle.polygon, [&](const Vec2& p) { bytes.add(p); });
+  });
+}
+
 std::size_t size_of(const std::string& key, const PieceTexts& texts) {
   return key.size() + texts.labels.size() * (sizeof(Label) + sizeof(TextBox));
 }
@@ -77,6 +85,7 @@ std::string bytes_of(const PieceTextTask& task) {
   });
   bytes.add_all(task.lines, [&](const Stroke& line) { bytes.add(line); });
   bytes.add_all(task.ids, [&](const SideId& id) { add_id(id, bytes); });
+  if (task.around) add_surroundings(*task.around, bytes);
   return bytes.take();
 }
 

@@ -91,6 +91,8 @@ void check_options(const JobOptions& options) {
   check(options.proxy >= 0, "proxy", {{"least", 0}});
   // A closed surface has at least four faces.
   check(options.faces == 0 || options.faces >= 4, "faces", {{"least", 4}});
+  check(options.min_piece >= 0 && options.min_piece <= 1000, "min-piece",
+        {{"least", 0}, {"most", 1000}});
   check_size(options.size);
   check_flaps(options.flaps);
   check_names(options.names);

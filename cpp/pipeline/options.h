@@ -75,6 +75,7 @@ struct JobOptions {
   FlapOptions flaps = {};
   IdPlace ids = IdPlace::kFlap;
   GlueStrips strips = GlueStrips::kNone;
+  double min_piece = 0;              ///< bodies that are shorter than this, in mm, are not printed
   std::vector<PartName> names = {};  ///< in a job with a start: of the parts of the earlier result
   std::vector<PinnedPiece> pins = {};
   std::vector<EdgeLock> locks = {};  ///< of the job's mesh; see `lock_edges`

@@ -5,9 +5,13 @@
 #include "paper/gluing_order.h"
 #include "paper/pins.h"
 #include "pipeline/flat_net.h"
+#include "pipeline/small_bodies.h"
 
 namespace foldwright {
 namespace {
+
+// Room between pieces for the numbers of both beside their edges, mm.
+constexpr double kGapForIds = 6;
 
 /// The upright turn of a net that leaves most room on the sheet.
 Turn roomiest_turn(std::span<const Vec2> hull, const Extent& room) {
@@ -48,7 +52,10 @@ void sort_for_gluing(PaperDraft& draft) {
 }  // namespace
 
 PaperDrafter::PaperDrafter(const JobState& state, double scale, int effort)
-    : state_(state), scale_(scale), effort_(effort), cutter_(state, state.nets, scale) {}
+    : state_(state),
+      scale_(scale),
+      effort_(effort),
+      cutter_(state, without_small_bodies(state, scale), scale) {}
 
 FitStep PaperDrafter::step() {
   switch (phase_) {
@@ -123,6 +130,9 @@ void PaperDrafter::begin_packing() {
 SheetTask PaperDrafter::sheet_task(std::span<const std::optional<Pin>> pins) const {
   SheetTask task = {draft_.prints, state_.options.sheet, parts_, pins, draft_.names, effort_};
   task.pin_play = state_.options.flaps.shape.height;
+  if (state_.options.ids == IdPlace::kOutside) {
+    task.options.gap = std::max(task.options.gap, kGapForIds);
+  }
   return task;
 }
 

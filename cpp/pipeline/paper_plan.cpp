@@ -86,9 +86,7 @@ bool PaperPlanner::step() {
     case Phase::kLabels:
       if (!labels_->step()) return false;
       plan_.labels = labels_->take();
-      write_outer_names({plan_.draft.prints, plan_.draft.sheets, state_.options.sheet, plan_.strips,
-                         plan_.draft.names},
-                        plan_.labels);
+      write_outer_names({*obstacles_, plan_.draft.names}, plan_.labels);
       progress_ = 0.9;
       if (in_a_hurry_ || earlier_paper(state_)) return true;
       saver_.emplace(state_, plan_.draft.sheets);
@@ -190,8 +188,20 @@ void PaperPlanner::lay_strips() {
 void PaperPlanner::begin_labels() {
   const PaperDraft& draft = plan_.draft;
   joints_ = find_joint_seams(state_.surface->mesh, draft.flat);
+  const Surface& surface = *state_.surface;
+  std::vector<Contact> contacts = find_contacts(surface.mesh, surface.graph);
+  // What is not printed stands nowhere.
+  std::erase_if(contacts, [&](const Contact& contact) {
+    return std::ranges::none_of(draft.flat, [&](const Net& net) {
+      return std::ranges::binary_search(net.faces, contact.guest);
+    });
+  });
+  for (const Net& net : draft.flat) {
+    standings_.push_back(standings_on(surface.mesh, net, contacts));
+  }
+  obstacles_.emplace(draft.prints, draft.sheets, state_.options.sheet, plan_.strips);
   labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_,
-                            joints_, &state_.memory->texts});
+                            joints_, &state_.memory->texts, &*obstacles_, standings_});
   phase_ = Phase::kLabels;
   progress_ = 0.8;
 }

@@ -66,10 +66,12 @@ class PaperPlanner {
     int trials = 0;
   } range_;
   std::optional<PaperDrafter> drafter_;
+  std::optional<SheetObstacles> obstacles_;
   std::optional<LabelPlacer> labels_;
   std::optional<SheetSaver> saver_;
-  std::vector<int> tape_;     ///< mesh edges to mark, ascending
-  std::vector<Seam> joints_;  ///< as the nets lie on their sheets
+  std::vector<int> tape_;             ///< mesh edges to mark, ascending
+  std::vector<Standings> standings_;  ///< per net, as they lie on their sheets
+  std::vector<Seam> joints_;          ///< as the nets lie on their sheets
   PaperPlan plan_;
 };
 

@@ -9,6 +9,7 @@
 #include "pipeline/model_size.h"
 #include "pipeline/paper_plan.h"
 #include "pipeline/saved_net.h"
+#include "pipeline/small_bodies.h"
 #include "pipeline/stage.h"
 #include "pipeline/unchecked_notices.h"
 
@@ -204,6 +205,7 @@ class PaperStage : public Stage {
     }
     add_size_notices(state);
     add_smaller_notice(state, result.sheets, plan_->smaller);
+    add_small_bodies_notice(state, result.sheets.scale);
     add_joint_notice(state);
     add_pin_notice(state, draft.lost_pins);
     add_neck_notice(state);

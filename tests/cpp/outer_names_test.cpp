@@ -52,7 +52,8 @@ TEST(WriteOuterNames, WritesBesideTinyPiecesAndOnNothing) {
   }
   const SheetLayout layout = layout_of(places);
   LabelPlan plan = nameless(pieces.size());
-  write_outer_names({pieces, layout, {}, {}, names}, plan);
+  SheetObstacles sheets(pieces, layout, {}, {});
+  write_outer_names({sheets, names}, plan);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     SCOPED_TRACE(names[i]);
     ASSERT_EQ(plan.labels[i].size(), 1u);
@@ -84,7 +85,8 @@ TEST(WriteOuterNames, KeepsWithinThePrintablePartOfTheSheet) {
   for (const Vec2& corner : {Vec2(low, low), Vec2(196, low), Vec2(low, 283), Vec2(196, 283)}) {
     const SheetLayout layout = layout_of({corner});
     LabelPlan plan = nameless(1);
-    write_outer_names({pieces, layout, options, {}, names}, plan);
+    SheetObstacles sheets(pieces, layout, options, {});
+    write_outer_names({sheets, names}, plan);
     ASSERT_EQ(plan.labels[0].size(), 1u);
     for (const Vec2& p : box_of_text(plan.labels[0][0])) {
       const Vec2 at = p + corner;
@@ -101,7 +103,8 @@ TEST(WriteOuterNames, LeavesNamesThatStandOnTheirPieces) {
   const SheetLayout layout = layout_of({{20, 20}});
   LabelPlan plan = nameless(1);
   plan.labels[0].push_back({"A", {10, 10}, 0, 6});
-  write_outer_names({pieces, layout, {}, {}, names}, plan);
+  SheetObstacles sheets(pieces, layout, {}, {});
+  write_outer_names({sheets, names}, plan);
   EXPECT_EQ(plan.labels[0].size(), 1u);
   EXPECT_FALSE(plan.labels[0][0].is_beside);
 }

@@ -218,6 +218,10 @@ const examples: readonly [KnownMessage, string][] = [
       'cut without printing, or choose a margin of 14 mm',
   ],
   [
+    { code: 'small-bodies', params: { count: 24, faces: 288, limit_mm: 4 } },
+    '24 bodies of the model are smaller than 4 mm and were left out',
+  ],
+  [
     {
       code: 'smaller-saves-sheets',
       params: { what: 'height', size_mm: 148, instead_mm: 150.2, sheets: 1, of: 2 },

@@ -36,6 +36,7 @@ export const paperOptions: ReadonlySet<string> = new Set([
   'flap-borders',
   'glue-strips',
   'ids',
+  'min-piece',
 ] satisfies OptionName[]);
 
 /** Options that decide how lines look: pieces and their places stay as they are. */

@@ -4,7 +4,7 @@ import type { Settings } from '../model/options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
-const idPlaces: readonly IdPlace[] = ['flap', 'both', 'inside', 'none'];
+const idPlaces: readonly IdPlace[] = ['flap', 'both', 'inside', 'outside', 'none'];
 const sides = ['one', 'alternate', 'both'] as const satisfies readonly FlapSide[];
 
 /** The fields for flaps and edge ids; a height is asked for only where there are flaps. */

@@ -32,4 +32,5 @@ export const defaultOptions: Readonly<JobOptions> = {
   paperHeight: 297,
   orientation: 'auto',
   margin: 10,
+  minPiece: 0,
 };

@@ -10,7 +10,7 @@ export type Sizing = 'fit' | 'height' | 'width' | 'depth' | 'scale' | 'sheets';
 export type Up = 'guess' | 'x' | 'y' | 'z';
 export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
 /** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
-export type IdPlace = 'none' | 'inside' | 'flap' | 'both';
+export type IdPlace = 'none' | 'inside' | 'flap' | 'both' | 'outside';
 /** Loose strips for edges that get no flap: none, where sheets have room, or on further sheets, too. */
 export type GlueStrips = 'none' | 'free' | 'all';
 export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
@@ -106,4 +106,6 @@ export interface JobOptions {
   paperHeight: number;
   orientation: Orientation;
   margin: number;
+  /** Bodies of the model that are shorter than this along each axis, in mm, are not printed. */
+  minPiece: number;
 }

@@ -167,8 +167,14 @@ export const rows = {
   ids: row(
     'NAME',
     defaultOptions.ids,
-    choice(['inside', 'flap', 'both', 'none']),
-    'where the numbers of cut edges go: inside, flap, both or none',
+    choice(['inside', 'flap', 'both', 'outside', 'none']),
+    'where the numbers of cut edges go: on faces (inside), flaps (flap) or both, on flaps and what is cut off (outside), or none',
+  ),
+  'min-piece': row(
+    'MM|off',
+    'off',
+    wordOr('off', decimal(0.1, 1000)),
+    'bodies of the model that are smaller are not printed, and told',
   ),
   compact: row(
     'on|off',
@@ -372,5 +378,6 @@ export function jobOptions(settings: Settings): JobOptions {
     paperHeight: settings.paper.height,
     orientation: settings.orientation,
     margin: settings.margin,
+    minPiece: settings['min-piece'] === 'off' ? 0 : settings['min-piece'],
   };
 }

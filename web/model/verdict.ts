@@ -1,5 +1,5 @@
 /** Whether a model can be built as it is laid out, and what stands against it, for programs. */
-import type { JobResult } from './job.js';
+import type { JobResult, Notice } from './job.js';
 import { namelessPieces } from './left-out.js';
 import type { MessageParams } from './message.js';
 import { tinyPieces } from './print-advice.js';
@@ -43,9 +43,15 @@ function ofPieces(code: string, level: Level, pieces: string[]): Finding {
   };
 }
 
-function unfinished({ model, pieces }: JobResult): Finding {
+/** Faces that a person wants no paper for. */
+function leftOutFaces(notices: readonly Notice[]): number {
+  const faces = notices.find(({ code }) => code === 'small-bodies')?.params['faces'];
+  return typeof faces === 'number' ? faces : 0;
+}
+
+function unfinished({ model, notices, pieces }: JobResult): Finding {
   const laid = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
-  const count = model.faces.length / 3 - laid;
+  const count = model.faces.length / 3 - laid - leftOutFaces(notices);
   return { code: 'unfinished', level: count > 0 ? 'red' : 'green', count, params: {} };
 }
 

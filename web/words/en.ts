@@ -235,6 +235,9 @@ export const english: Table = {
   'pin-lost': ({ count: number }) =>
     `${figure(number)} pinned ${choose(number, 'piece is', 'pieces are')} no longer there as they were, ` +
     'and were laid out anew',
+  'small-bodies': ({ count: number, limit_mm }) =>
+    `${count(number, 'body', 'bodies')} of the model ${choose(number, 'is', 'are')} smaller than ${figure(limit_mm)} mm and ` +
+    `${choose(number, 'was', 'were')} left out`,
   'smaller-saves-sheets': ({ what, size_mm, instead_mm, sheets, of }) =>
     `with a ${what} of ${figure(size_mm)} mm instead of ${figure(Math.round(instead_mm))} it should go on ` +
     `${count(sheets, 'sheet')} instead of ${figure(of)}`,

@@ -149,6 +149,7 @@ export interface EngineMessages {
     | { what: 'bodies'; bodies: number }
     | { what: 'pieces'; parts: number; pieces: number; instead: number };
   'pin-lost': Counted;
+  'small-bodies': { count: number; faces: number; limit_mm: number };
   'smaller-saves-sheets': {
     what: 'height' | 'width' | 'depth';
     size_mm: number;
@@ -254,8 +255,8 @@ export interface OwnMessages {
   };
   'empty-sheet': { sheet: number; percent: number; pieces: string[] };
   'tiny-pieces': { pieces: string[] };
-  'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
   'equal-pieces': { pieces: string[] };
+  'cricut-area': { sheets: number[]; width_mm: number; height_mm: number; margin_mm: number };
 }
 
 export interface Messages extends EngineMessages, OwnMessages {}
