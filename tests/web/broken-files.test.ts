@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest';
 import type { ModelFile } from '../../web/model/model-files.js';
 import { Scene } from './gltf-files.js';
 import { wavyRing } from './model-text.js';
+import { pdoFile } from './pdo-files.js';
 import { refusal, type Triangles } from './read-model.js';
 import { box, objOf } from './solids.js';
 import { meshObject, modelPart, threeMf, zip } from './zips.js';
@@ -57,11 +58,18 @@ const meshopt = (document: Document): void => {
   document.createExtension(EXTMeshoptCompression).setRequired(true);
 };
 
+const pictured = {
+  name: 'pictured',
+  colour: [1, 1, 1],
+  picture: { width: 8, height: 8, rgb: new Uint8Array(192).fill(7) },
+};
+
 const cases: readonly [string, () => Promise<ModelFile>][] = [
   ['GLB', () => glb()],
   ['Draco', () => glb(draco)],
   ['meshopt', () => glb(meshopt)],
   ['3MF', () => Promise.resolve(threeMf(modelPart(meshObject(1, ring()), '<item objectid="1"/>')))],
+  ['PDO', () => Promise.resolve(pdoFile({ materials: [pictured] }))],
   ['ZIP', () => Promise.resolve(zip('a.zip', { 'a.obj': objOf(box(1, 2, 3)) }))],
 ];
 

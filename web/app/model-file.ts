@@ -86,7 +86,7 @@ async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
 export async function readModelFiles(picked: readonly PickedFile[]): Promise<ChosenModel> {
   if (picked.length === 0) {
     throw new UnusableChoice(
-      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY or OFF file, or a ZIP with one.',
+      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY, OFF or PDO file, or a ZIP with one.',
     );
   }
   checkSizes(picked);

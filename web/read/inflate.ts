@@ -3,6 +3,9 @@ import { Inflate, Unzlib } from 'fflate';
 /** Bytes that are unpacked at a time: what comes out of a bomb is noticed before it is large. */
 const step = 16_384;
 
+/** As far as the method goes: 258 bytes come of two bits. */
+const mostGrowth = 1032;
+
 const unpackers = { deflate: Inflate, zlib: Unzlib } as const;
 
 /**
@@ -15,6 +18,8 @@ export function inflated(
   size: number,
   form: keyof typeof unpackers = 'deflate',
 ): Uint8Array {
+  // Before memory is asked for.
+  if (size > mostGrowth * packed.length) throw new Error('less comes out than was announced');
   const bytes = new Uint8Array(size);
   let at = 0;
   const unpacker = new unpackers[form]((chunk) => {
