@@ -50,6 +50,9 @@ const own = Object.keys({
   'bad-pdo': 0,
   'broken-faces': 0,
   'damaged-extras': 0,
+  'file-nets-kept': 0,
+  'file-nets-lost': 0,
+  'file-nets-unused': 0,
   'pdo-unused': 0,
   'unused-content': 0,
 } satisfies Record<keyof OwnMessages, 0>);

@@ -26,6 +26,7 @@ import {
   type EditPlan,
   type Refusal,
 } from './edit-plan.js';
+import { beginningOf } from './file-nets.js';
 import { History } from './history.js';
 import { inspectModel, type Inspection } from './inspect.js';
 import { OpenedModel } from './opened-model.js';
@@ -227,8 +228,7 @@ export class Session {
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
-    const wishes = freshWishes(settings);
-    const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
+    const { wishes, run } = await beginningOf(this.model, freshWishes(settings), work);
     const { result, isWhole } = await outcome(run, work);
     this.fileName = result.file;
     const first: DocumentState = { wishes, result };

@@ -231,7 +231,8 @@ export class Studio extends Panel {
     const { model } = this.store.choice;
     const fields = this.form.read();
     if (!model || !fields) return;
-    const asked = changedSettings(fields, this.result.look);
+    const nets = this.store.check?.nets ?? 'new';
+    const asked = { ...changedSettings(fields, this.result.look), nets };
     this.message.clear();
     this.progress.begin(model.name);
     const ending = await this.store.unfold(asked, this.settings.read(), (pictures) =>

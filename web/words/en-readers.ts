@@ -117,6 +117,28 @@ function unreadPictures({ files, kinds }: Messages['unread-pictures']): string {
   return `${some(files)} ${what}; save ${saved} as PNG or JPEG, and name ${saved} so in the model`;
 }
 
+const lostNets = {
+  none: 'the file brings no nets of its own',
+  simplified: 'the nets of the file do not fit a model with other triangles',
+  repaired: 'the nets of the file could not be kept, as its faces had to be repaired',
+  flat: 'the nets of the file could not be kept, as they run through flat faces',
+} as const;
+
+function keptNets({ pieces, uncut, size }: Messages['file-nets-kept']): string {
+  const words = [
+    pieces === 1
+      ? 'the net of the file was kept'
+      : `the ${figure(pieces)} nets of the file were kept`,
+  ];
+  if (size === 'file') words.push('at the size of the file');
+  if (uncut > 0) {
+    words.push(
+      `but ${count(uncut, 'cut')} within flat faces ${choose(uncut, 'was', 'were')} left out`,
+    );
+  }
+  return words.join(', ');
+}
+
 export const readerMessages = {
   'bad-3mf': bad3mf,
   'bad-archive': badArchive,
@@ -171,6 +193,10 @@ export const readerMessages = {
       [negatives, 'negative part'],
       [unprinted, 'object that is switched off', 'objects that are switched off'],
     ])}`,
+  'file-nets-kept': keptNets,
+  'file-nets-lost': ({ what }) => `${lostNets[what]}, so new ones were made`,
+  'file-nets-unused': ({ pieces }) =>
+    `the file brings ${count(pieces, 'net')} of its own; new ones were made; to keep ${choose(pieces, 'it', 'them')}, choose that when the model is checked (--nets file)`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `not used: ${kinds([
       [hidden, 'body that is switched off', 'bodies that are switched off'],

@@ -217,6 +217,9 @@ export interface OwnMessages {
 
   'archive-choice': { file: string; others: string[] };
   'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };
+  'file-nets-kept': { pieces: number; uncut: number; size: 'file' | 'other' };
+  'file-nets-lost': { what: 'none' | 'simplified' | 'repaired' | 'flat' };
+  'file-nets-unused': { pieces: number };
   'pdo-unused': { hidden: number; texts: number; images: number };
   'posed-skins': Counted;
   'unknown-extensions': { names: string[] };
