@@ -31,7 +31,7 @@ describe.skipIf(!isBuilt)('a file that needs others, or holds them', () => {
       const text = JSON.stringify({ ...json, buffers: [{ ...json.buffers![0], uri }] });
       fill(folder, { 'box.gltf': text });
       const model = join(folder, 'box.gltf');
-      const missing = `${model}: 'box.gltf' needs buffers/my data.bin, which is missing; choose it together with the model, or choose the whole folder\n`;
+      const missing = `${model}: 'box.gltf' needs buffers/my data.bin, which is missing; choose it as well, or choose the whole folder\n`;
       expect(await run(model, '--quiet')).toEqual({ status: 3, stdout: '', stderr: missing });
       mkdirSync(join(folder, 'buffers'));
       writeFileSync(join(folder, 'buffers/my data.bin'), bin);

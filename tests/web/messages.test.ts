@@ -127,7 +127,7 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'missing-files', params: { file: 'a.gltf', missing: ['a.bin'] } },
-    "'a.gltf' needs a.bin, which is missing; choose it together with the model, or choose the whole folder",
+    "'a.gltf' needs a.bin, which is missing; choose it as well, or choose the whole folder",
   ],
   [
     { code: 'no-model-in-archive', params: { file: 'a.zip', files: [] } },
@@ -150,11 +150,11 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'missing-looks', params: { what: 'pictures', files: ['a.png', 'b.png'] } },
-    'the pictures a.png and b.png are missing, so those faces stay plain; choose them together with the model, or choose the whole folder',
+    'the pictures a.png and b.png are missing, so those faces stay plain; choose them as well, or choose the whole folder',
   ],
   [
     { code: 'missing-looks', params: { what: 'libraries', files: ['a.mtl'] } },
-    "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it together with the model, or choose the whole folder",
+    "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it as well, or choose the whole folder",
   ],
   [
     { code: 'picture-guessed', params: { file: 'a.png' } },

@@ -394,3 +394,43 @@ describe('the end of a studio', () => {
     void change;
   });
 });
+
+describe('files that are chosen after their model', () => {
+  const namesOf = ({ choice }: Store): string[] => choice.model!.files.map(({ name }) => name);
+  const chosen = (store: Store, ...names: string[]): Promise<boolean> => {
+    const files = names.map((name) => ({ name, bytes: new Uint8Array() }));
+    return store.choose(Promise.resolve({ name: names[0]!, files }));
+  };
+
+  it('join it, and take the place of others of their name', async () => {
+    const { store } = await unfoldedBench();
+    await chosen(store, 'wood.png', 'ring.mtl');
+    expect(namesOf(store)).toEqual(['ring.obj', 'wood.png', 'ring.mtl']);
+    expect(store.choice.model).toMatchObject({ name: 'ring.obj', added: ['wood.png', 'ring.mtl'] });
+    await chosen(store, 'wood.png');
+    expect(store.choice.model!.added).toEqual(['ring.mtl', 'wood.png']);
+    await chosen(store, 'other.obj');
+    expect(namesOf(store)).toEqual(['other.obj']);
+  });
+
+  it('join one that could not be read without them', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    await chosen(store, 'lamp.gltf');
+    const ending = store.unfold(settings, fields);
+    await bench.goOn(new JobError('missing-files', { file: 'lamp.gltf', missing: ['lamp.bin'] }));
+    expect(await ending).toMatchObject({ type: 'failed', cause: 'file' });
+    expect(namesOf(store)).toEqual(['ring.obj']);
+    await chosen(store, 'lamp.bin');
+    expect(namesOf(store)).toEqual(['lamp.gltf', 'lamp.bin']);
+  });
+
+  it('are a choice of their own where there is no model', async () => {
+    const { store } = new Bench();
+    await chosen(store, 'wood.png');
+    expect(namesOf(store)).toEqual(['wood.png']);
+    // What can be a model is one.
+    await chosen(store, 'notes.txt', 'wood.png');
+    expect(namesOf(store)).toEqual(['notes.txt', 'wood.png']);
+  });
+});

@@ -10,6 +10,8 @@ export interface ChosenModel {
   /** Of its file; by the endings of names until the engine has read it. */
   name: string;
   files: ModelFiles;
+  /** Names of files that were chosen after it, and belong to it; absent if there are none. */
+  added?: readonly string[];
 }
 
 /** A file that was picked, and where it lay in the folder that was picked with it. */

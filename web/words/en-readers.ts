@@ -103,7 +103,7 @@ function missingLooks({ what, files }: Messages['missing-looks']): string {
       : `${choose(files.length, 'the file', 'the files')} with the model's colours and pictures, ${names},`;
   return (
     `${those} ${is} missing, so those faces stay plain; ` +
-    `choose ${them} together with the model, or choose the whole folder`
+    `choose ${them} as well, or choose the whole folder`
   );
 }
 
@@ -146,7 +146,7 @@ export const readerMessages = {
   'bad-pdo': badPdo,
   'missing-files': ({ file, missing }) =>
     `'${shown(file)}' needs ${some(missing)}, which ${choose(missing.length, 'is', 'are')} missing; ` +
-    `choose ${choose(missing.length, 'it', 'them')} together with the model, or choose the whole folder`,
+    `choose ${choose(missing.length, 'it', 'them')} as well, or choose the whole folder`,
   'no-model-in-archive': ({ file, files }) =>
     files.length === 0
       ? `there is nothing in the archive '${shown(file)}'`
