@@ -8,6 +8,7 @@ import type { Raster } from '../../web/export/texture/raster.js';
 import type { Looks } from '../../web/model/looks.js';
 import { bmpFiles, pixelsOf } from './bmp-files.js';
 import { tgaOf } from './tga-file.js';
+import { webp } from './webp-file.js';
 import { jpegOf } from './jpeg-file.js';
 import { materialOf, pngOf } from './looked-cube.js';
 import { readRenderer } from './printed.js';
@@ -15,14 +16,6 @@ import { readRenderer } from './printed.js';
 // Two pixels, blue and red.
 const gif = Uint8Array.from(
   Buffer.from('R0lGODlhAgABAIABAP8AAAAA/ywAAAAAAgABAAACAgwKADs=', 'base64'),
-);
-
-/** Five by three pixels without losses, each of the next colour. */
-const webp = Uint8Array.from(
-  Buffer.from(
-    'UklGRlYAAABXRUJQVlA4TEkAAAAvBIAAAHegFgACRqAF0Ju/ZBAK2UaA8QG8AFPINgKcErgPYEQ3/12YHhZY8oGlAJaCP1igIJIN6n1oq4IKRgUZlI3of+xnX9QIAA==',
-    'base64',
-  ),
 );
 
 async function decoded(bytes: Uint8Array): Promise<Raster | null> {
