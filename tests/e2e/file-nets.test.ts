@@ -1,32 +1,11 @@
 /** A Pepakura file brings nets along: a person keeps them or has new ones made. */
 import { expect, test } from 'vitest';
-import { cube, pdoFile } from '../web/pdo-files.js';
+import { halvesFile, pdoFile } from '../web/pdo-files.js';
 import { useStudio } from './studio-fixture.js';
 
 const withStudio = useStudio();
 
-/** A cube in two nets of three faces. */
-const { bytes } = pdoFile({
-  bodies: [
-    {
-      ...cube,
-      flap: 6,
-      joined: [
-        [0, 2],
-        [0, 4],
-        [1, 3],
-        [1, 5],
-      ],
-    },
-  ],
-  pattern: {
-    scale: 3,
-    parts: [
-      [70, 70],
-      [70, 70],
-    ],
-  },
-});
+const { bytes } = pdoFile(halvesFile);
 
 test('the nets of a file are offered, kept, and left again', () =>
   withStudio(async (studio) => {

@@ -5,34 +5,11 @@ import type { Options } from '../../web/api/written-options.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { JobResult, Piece } from '../../web/model/job.js';
 import { keptNets } from '../../web/model/kept-nets.js';
-import { cube, pdoFile, type PdoBody, type PdoSpec } from './pdo-files.js';
+import { cube, halves, halvesFile, pdoFile, type PdoBody, type PdoSpec } from './pdo-files.js';
 import { read } from './read-model.js';
 import { isEngineBuilt, withThreads } from './thread-pool.js';
 
 const none = (): Promise<Uint8Array> => Promise.reject(new Error('not needed here'));
-
-/** Two nets of three faces each. */
-const halves: PdoBody = {
-  ...cube,
-  flap: 6,
-  joined: [
-    [0, 2],
-    [0, 4],
-    [1, 3],
-    [1, 5],
-  ],
-};
-
-const halvesFile: PdoSpec = {
-  bodies: [halves],
-  pattern: {
-    scale: 3,
-    parts: [
-      [70, 70],
-      [70, 70],
-    ],
-  },
-};
 
 /** The cube as triangles around the origin, as the engine tells it. */
 const triangles = {

@@ -108,6 +108,29 @@ export const cube: PdoBody = {
   ],
 };
 
+/** The cube in two nets of three faces each. */
+export const halves: PdoBody = {
+  ...cube,
+  flap: 6,
+  joined: [
+    [0, 2],
+    [0, 4],
+    [1, 3],
+    [1, 5],
+  ],
+};
+
+export const halvesFile: PdoSpec = {
+  bodies: [halves],
+  pattern: {
+    scale: 3,
+    parts: [
+      [70, 70],
+      [70, 70],
+    ],
+  },
+};
+
 /** Edges of a body with the faces on their sides, the first one in its direction. */
 function edgesOf({ faces }: PdoBody): { faces: [number, number]; vertices: [number, number] }[] {
   const found = new Map<string, { faces: [number, number]; vertices: [number, number] }>();
