@@ -15,7 +15,7 @@ test('the nets of a file are offered, kept, and left again', () =>
     await check.waitFor();
     const words = page.locator('#check-nets-words');
     expect(await words.innerText()).toContain('The file brings its own nets, 2 pieces.');
-    await page.getByRole('button', { name: 'keep those of the file' }).click();
+    await page.getByRole('button', { name: 'keep the file’s own' }).click();
     expect(await words.innerText()).toContain('cut and folded just as in its file');
     await studio.picture('file-nets');
     await check.getByRole('button', { name: 'Unfold' }).click();

@@ -52,10 +52,10 @@ describe.skipIf(!isBuilt)('a file that needs others, or holds them', () => {
 
   it('of a format that is not read is refused with what to do', () =>
     inFolder(async (folder) => {
-      fill(folder, { 'a.fbx': 'Kaydara FBX Binary  ', 'b.pdo': 'version 3\n' });
+      fill(folder, { 'a.fbx': 'Kaydara FBX Binary  ', 'b.dae': '<COLLADA' });
       for (const [name, format] of [
         ['a.fbx', 'an FBX model'],
-        ['b.pdo', 'a Pepakura model'],
+        ['b.dae', 'a COLLADA (DAE) model'],
       ] as const) {
         const { status, stderr } = await run(join(folder, name), '--quiet');
         expect([status, stderr]).toEqual([

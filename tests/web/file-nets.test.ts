@@ -6,6 +6,7 @@ import type { Pool } from '../../web/core/pool.js';
 import type { JobResult, Piece } from '../../web/model/job.js';
 import { keptNets } from '../../web/model/kept-nets.js';
 import { cube, halves, halvesFile, pdoFile, type PdoBody, type PdoSpec } from './pdo-files.js';
+import { objText, wavyRing } from './model-text.js';
 import { read } from './read-model.js';
 import { isEngineBuilt, withThreads } from './thread-pool.js';
 
@@ -71,15 +72,25 @@ function sideOf({ model }: JobResult, face: number): number {
   });
 }
 
-/** Pairs of sides of the cube between which a piece folds. */
-function foldsOf(result: JobResult, { edges, assignments, faces, sources }: Piece): string[] {
+/** Pairs of faces of the model between which a piece goes on, over edges of these kinds. */
+function joinedPairs(
+  { edges, assignments, faces, sources }: Piece,
+  letters: string,
+): [number, number][] {
   return [...assignments].flatMap((letter, edge) => {
-    if (letter === 'B' || letter === 'F') return [];
+    if (!letters.includes(letter)) return [];
     const ends = [edges[2 * edge]!, edges[2 * edge + 1]!];
     const beside = [...sources].filter((_, face) =>
       ends.every((end) => faces.subarray(3 * face, 3 * face + 3).includes(end)),
     );
-    return beside
+    return [beside.sort((a, b) => a - b) as [number, number]];
+  });
+}
+
+/** Pairs of sides of the cube between which a piece folds. */
+function foldsOf(result: JobResult, piece: Piece): string[] {
+  return joinedPairs(piece, 'MV').map((pair) => {
+    return pair
       .map((source) => sideOf(result, source))
       .sort()
       .join(' ');
@@ -107,6 +118,32 @@ describe.skipIf(!isEngineBuilt)('nets of a file', () => {
       const made = await session.apply({ kind: 'merge', parts: [1, 2] });
       expect(made.ok).toBe(true);
       expect((await session.result()).pieces).toHaveLength(1);
+    }));
+
+  it('come back as they were found, of a model in several parts', () =>
+    withThreads(2, async (pool) => {
+      const text = objText(wavyRing(8));
+      const files = [{ name: 'ring.obj', bytes: new TextEncoder().encode(text) }];
+      const session = new Session(files, { pool: () => pool, loadFont: none, loadRenderer: none });
+      await session.run({ parts: 5, runs: 50 });
+      const { model, pieces } = await session.result();
+      const threes = (values: ArrayLike<number>): number[][] =>
+        Array.from({ length: values.length / 3 }, (_, i) =>
+          [0, 1, 2].map((k) => values[3 * i + k]!),
+        );
+      const joined = pieces.flatMap((piece) => joinedPairs(piece, 'MVF'));
+      const body = { vertices: threes(model.vertices), faces: threes(model.faces), joined };
+      const pattern = {
+        scale: 1,
+        parts: pieces.map(({ width, height }) => [width, height] as const),
+      };
+      const again = await (await run(pool, { bodies: [body], pattern }, { nets: 'file' })).result();
+      const foundAgain = again.pieces.flatMap((piece) => joinedPairs(piece, 'MVF'));
+      const sorted = (pairs: [number, number][]): string[] => pairs.map(String).sort();
+      expect(sorted(foundAgain)).toEqual(sorted(joined));
+      expect(again.pieces).toHaveLength(pieces.length);
+      expect(again.scale).toBe(1);
+      expect(again.pieces.every(({ overlaps }) => overlaps === 0)).toBe(true);
     }));
 
   it('come out the same every time', () =>

@@ -72,10 +72,12 @@ export function bodyWords(bodies: number, tiny: number): string {
 
 /** What becomes of the nets that a file brings along. */
 export function netsWords(pieces: number, nets: Settings['nets']): string {
-  const own = pieces === 1 ? 'its own net' : `its own nets, ${large(pieces)} pieces`;
-  if (nets === 'file')
+  if (nets === 'file') {
     return 'The model is cut and folded just as in its file, at the same size if the paper has room for it.';
-  return `The file brings ${own}. Keep them to cut and fold as its maker did, or have new nets made.`;
+  }
+  const [own, them] =
+    pieces === 1 ? ['its own net', 'it'] : [`its own nets, ${large(pieces)} pieces`, 'them'];
+  return `The file brings ${own}. Keep ${them} to cut and fold as its maker did, or have new nets made.`;
 }
 
 /** A length as people say it: 8 mm, 12 cm, 1.2 m. */
