@@ -197,4 +197,16 @@ describe.skipIf(!isEngineBuilt)('nets of a file', () => {
       expect(result.scale).toBeLessThan(30);
       expect(result.sheets.length).toBeLessThanOrEqual(2);
     }));
+
+  it('that would be cut at their size become as large as the paper allows, too', () =>
+    withThreads(1, async (pool) => {
+      // The file lies: its pieces are larger than it says.
+      const pattern = { scale: 12, parts: [[70, 70] as const] };
+      const session = await run(pool, { bodies: [cube], pattern }, { nets: 'file' });
+      const result = await session.result();
+      expect(result.pieces.map(({ cause }) => cause)).toEqual(['part']);
+      const params = { pieces: 1, uncut: 0, size: 'other' };
+      expect(result.notices).toContainEqual({ code: 'file-nets-kept', params });
+      expect((await session.state()).wishes.settings.scale).toBe('none');
+    }));
 });

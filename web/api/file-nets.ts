@@ -16,8 +16,14 @@ import type { WorkOptions } from './work.js';
 /** The first job of a document. */
 export interface Beginning {
   /** As they are after it: with the flaps and the size of the file. */
-  wishes: Wishes;
-  run: (work: WorkOptions) => Promise<TimedResult>;
+  readonly wishes: Wishes;
+  run(work: WorkOptions): Promise<TimedResult>;
+}
+
+/** A way to begin that may turn out to be none. */
+interface Way extends Beginning {
+  /** Whether pieces may be cut again that are too large for the sheet. */
+  mayRecut: boolean;
 }
 
 function message<Name extends Code>(
@@ -78,8 +84,7 @@ class Jobs {
    * Nets end at the locked edges only in the job that makes them: whoever edits them later finds no locks. The search
    * within these finds the nets of the file, and how they fold.
    */
-  kept(wishes: Wishes, kept: KeptNets, isSized: boolean): Beginning {
-    const size = isSized ? 'file' : 'other';
+  kept(wishes: Wishes, kept: KeptNets, size: Messages['file-nets-kept']['size']): Beginning {
     const { count, uncut, locks } = kept;
     const told = message('file-nets-kept', { pieces: count, uncut, size });
     const job = { ...jobOf(wishes), locks };
@@ -87,17 +92,38 @@ class Jobs {
   }
 }
 
-/** The engine does not take nets that run through flat faces; new ones then. */
-function orElse(first: Beginning, second: Beginning): Beginning {
-  const run = async (work: WorkOptions): Promise<TimedResult> => {
-    try {
-      return await first.run(work);
-    } catch (error) {
-      if (!(error instanceof JobError) || error.code !== 'bad-start') throw error;
-      return second.run(work);
+/** Begins in the first of several ways that the engine takes and that keeps pieces whole, if that matters; or the last. */
+class FirstPossible implements Beginning {
+  private chosen: Way;
+
+  constructor(private readonly ways: readonly Way[]) {
+    this.chosen = ways[0]!;
+  }
+
+  get wishes(): Wishes {
+    return this.chosen.wishes;
+  }
+
+  async run(work: WorkOptions): Promise<TimedResult> {
+    for (const way of this.ways.slice(0, -1)) {
+      this.chosen = way;
+      const result = await this.tried(way, work);
+      const isWhole = way.mayRecut || result?.pieces.every(({ cause }) => cause !== 'sheet');
+      if (result && isWhole) return result;
     }
-  };
-  return { ...first, run };
+    this.chosen = this.ways.at(-1)!;
+    return this.chosen.run(work);
+  }
+
+  /** Null where nets run through flat faces, which the engine does not take. */
+  private async tried(way: Way, work: WorkOptions): Promise<TimedResult | null> {
+    try {
+      return await way.run(work);
+    } catch (error) {
+      if (error instanceof JobError && error.code === 'bad-start') return null;
+      throw error;
+    }
+  }
 }
 
 /**
@@ -117,10 +143,15 @@ export async function beginningOf(
   if (!nets) return jobs.withoutNets(wishes, 'none');
   if (settings.faces !== 'off') return jobs.withoutNets(wishes, 'simplified');
   const { model } = await inspectModel(opened, jobOf(wishes), signal);
+  // Files with nets have y up, unless a person knows better.
   const kept = keptNets(nets, model, settings.up === 'guess' ? 'y' : settings.up);
   if (!kept) return jobs.withoutNets(wishes, 'repaired');
-  const ownSize = sized(settings, nets);
   const flapEdges = settings.flaps === 'none' ? [] : kept.flapEdges;
-  const first = jobs.kept({ ...wishes, settings: ownSize, flapEdges }, kept, ownSize !== settings);
-  return orElse(first, jobs.withoutNets(wishes, 'flat'));
+  const ownSize = sized(settings, nets);
+  const atOwnSize = { ...wishes, settings: ownSize, flapEdges };
+  return new FirstPossible([
+    ...(ownSize === settings ? [] : [{ ...jobs.kept(atOwnSize, kept, 'file'), mayRecut: false }]),
+    { ...jobs.kept({ ...wishes, flapEdges }, kept, 'other'), mayRecut: true },
+    { ...jobs.withoutNets(wishes, 'flat'), mayRecut: true },
+  ]);
 }

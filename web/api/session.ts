@@ -228,8 +228,10 @@ export class Session {
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
-    const { wishes, run } = await beginningOf(this.model, freshWishes(settings), work);
+    const beginning = await beginningOf(this.model, freshWishes(settings), work);
+    const run = (more: WorkOptions): Promise<TimedResult> => beginning.run(more);
     const { result, isWhole } = await outcome(run, work);
+    const { wishes } = beginning;
     this.fileName = result.file;
     const first: DocumentState = { wishes, result };
     // What an ended run has found depends on when it was ended: it cannot be computed again.
