@@ -98,22 +98,27 @@ function isUsable({ corners, positions }: PdoObject, begin: number, end: number)
 }
 
 /** Corners of an object at whose edge the net goes on. */
-function joinedCorners({ corners, edges, firstCorners, materials }: PdoObject): Set<number> {
-  const cornerOf = new Map<string, number>();
+function joinedCorners({
+  corners,
+  joined,
+  firstCorners,
+  materials,
+  positions,
+}: PdoObject): Set<number> {
+  const found = new Set<number>();
+  if (joined.length === 0) return found;
+  const keyOf = (face: number, vertex: number): number => face * positions.length + vertex;
+  const cornerOf = new Map<number, number>();
   materials.forEach((_, face) => {
     for (let corner = firstCorners[face]!; corner < firstCorners[face + 1]!; ++corner) {
-      cornerOf.set(`${face} ${corners.vertices[corner]!}`, corner);
+      cornerOf.set(keyOf(face, corners.vertices[corner]!), corner);
     }
   });
-  const joined = new Set<number>();
-  for (const { faces, vertices, isJoined } of edges) {
-    if (!isJoined) continue;
+  for (let at = 0; at < joined.length; at += 4) {
+    const [one, other, from, to] = joined.subarray(at, at + 4);
     // The edge runs the other way in its second face.
-    const sides = [
-      cornerOf.get(`${faces[0]} ${vertices[0]}`),
-      cornerOf.get(`${faces[1]} ${vertices[1]}`),
-    ];
-    for (const corner of sides) if (corner !== undefined) joined.add(corner);
+    const sides = [cornerOf.get(keyOf(one!, from!)), cornerOf.get(keyOf(other!, to!))];
+    for (const corner of sides) if (corner !== undefined) found.add(corner);
   }
-  return joined;
+  return found;
 }

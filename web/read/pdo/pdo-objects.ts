@@ -16,15 +16,6 @@ export interface PdoCorners {
   flaps: number[];
 }
 
-export interface PdoEdge {
-  /** The second one is negative at a border. */
-  faces: [number, number];
-  /** As they follow each other in the first face. */
-  vertices: [number, number];
-  /** Whether the net goes on across it. */
-  isJoined: boolean;
-}
-
 export interface PdoObject {
   isVisible: boolean;
   /** 3 per vertex. */
@@ -34,7 +25,11 @@ export interface PdoObject {
   /** Per face: where its corners begin; and their number at last. */
   firstCorners: number[];
   corners: PdoCorners;
-  edges: PdoEdge[];
+  /**
+   * 4 per edge across which the net goes on: its two faces, and its two vertices as they follow each other in the
+   * first face.
+   */
+  joined: Int32Array;
 }
 
 function readPositions(bytes: PdoBytes): Float64Array {
@@ -64,14 +59,17 @@ function readFaces(bytes: PdoBytes): Pick<PdoObject, 'materials' | 'firstCorners
   return { materials: materials!, firstCorners: firstCorners!, corners };
 }
 
-function readEdges(bytes: PdoBytes): PdoEdge[] {
-  return Array.from({ length: bytes.count(bytesPerEdge) }, () => {
-    const faces: [number, number] = [bytes.i32(), bytes.i32()];
-    const vertices: [number, number] = [bytes.i32(), bytes.i32()];
-    const isJoined = bytes.bool();
+/** Those edges at which the net goes on. */
+function readJoined(bytes: PdoBytes): Int32Array {
+  const count = bytes.count(bytesPerEdge);
+  const joined = new Int32Array(4 * count);
+  let found = 0;
+  for (let left = count; left > 0; --left) {
+    for (let i = 0; i < 4; ++i) joined[found + i] = bytes.i32();
+    if (bytes.bool()) found += 4;
     bytes.skip(5);
-    return { faces, vertices, isJoined };
-  });
+  }
+  return joined.slice(0, found);
 }
 
 /** @throws BrokenPdo */
@@ -81,6 +79,6 @@ export function readObjects(bytes: PdoBytes): PdoObject[] {
     skipText(bytes);
     const isVisible = bytes.bool();
     const positions = readPositions(bytes);
-    return { isVisible, positions, ...readFaces(bytes), edges: readEdges(bytes) };
+    return { isVisible, positions, ...readFaces(bytes), joined: readJoined(bytes) };
   });
 }
