@@ -54,6 +54,11 @@ describe('readPdo', () => {
     expect([width, height, ...rgb]).toEqual([2, 2, ...picture.rgb]);
   });
 
+  it('leaves faces plain whose material is not in the file', async () => {
+    const model = await read(pdoFile({ bodies: [{ ...cube, materials: [0, -1, 1, -7, 0, 99] }] }));
+    expect(trianglesOf(model.file).materials).toEqual([0, -1, -1, -1, 0, -1]);
+  });
+
   it('leaves out pictures that are damaged or far too large', async () => {
     const make = (width: number): Uint8Array =>
       pdoFile({ materials: [{ name: 'm', colour: [1, 1, 1], picture: { ...picture, width } }] })

@@ -1,4 +1,5 @@
 /** Puts the bodies of a PDO file together to one model. */
+import type { LookedFiles } from '../../model/looks.js';
 import type { FileNets } from '../../model/file-nets.js';
 import { mostTriangles } from '../soup.js';
 import { unreadable } from '../unreadable.js';
@@ -45,10 +46,12 @@ export class PdoModel {
     if (triangles > mostTriangles) throw unreadable('too-many-triangles', { most: mostTriangles });
   }
 
-  /** @param pictured whether any material has a picture */
-  polygons(pictured: boolean): Polygons {
-    const { positions, firstCorners, vertices, places, materials } = this;
-    return { positions, firstCorners, vertices, materials, places: pictured ? places : null };
+  /** Faces with the numbers of their materials, as far as there are such. */
+  polygons({ materials: known, pictures }: LookedFiles): Polygons {
+    const { positions, firstCorners, vertices } = this;
+    const places = pictures.length > 0 ? this.places : null;
+    const materials = this.materials.map((number) => (number in known ? number : -1));
+    return { positions, firstCorners, vertices, materials, places };
   }
 
   /** Null where nothing is joined, so that there are as many nets as faces. */

@@ -69,7 +69,7 @@ function noticesOf({ hidden, broken }: PdoModel, { pattern, isDamaged }: Extras)
 }
 
 /** Whether a file is of the first version of the format, which is text. */
-export function isOldPdo({ bytes }: ModelFile): boolean {
+function isOldPdo({ bytes }: ModelFile): boolean {
   return bytes[0] === '#'.charCodeAt(0);
 }
 
@@ -82,7 +82,7 @@ export function readPdo(file: ModelFile): ReadPdo {
   const model = new PdoModel();
   for (const object of objects) model.add(object);
   const looks = new PdoLooks(extras.materials);
-  const polygons = model.polygons(looks.files.pictures.length > 0);
+  const polygons = model.polygons(looks.files);
   if (polygons.materials.length === 0) {
     throw pdoFault(file.name, { what: model.hidden > 0 ? 'hidden' : 'no-faces' });
   }
