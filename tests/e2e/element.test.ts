@@ -54,7 +54,9 @@ test('two studios on a page run models of their own and give the results of the 
     const hash = await resultIn(one, 'ring');
     expect(hash).toBe(await hashUnderNode());
     expect(await two.locator('#result').isVisible()).toBe(false);
-    expect(await two.locator('#chosen').innerText()).toBe('GLB, OBJ, STL, 3MF, PLY, OFF or ZIP');
+    expect(await two.locator('#chosen').innerText()).toBe(
+      'GLB, OBJ, STL, 3MF, PLY, OFF, PDO or ZIP',
+    );
 
     await chooseSample(two, 'House');
     expect(await resultIn(two, 'house')).not.toBe(hash);

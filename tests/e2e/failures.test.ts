@@ -76,7 +76,9 @@ test('an empty file, two models and a strange file are refused', () =>
   withStudio(async (studio) => {
     const { page } = studio;
     const isRefused = async (): Promise<void> => {
-      expect(await page.locator('#chosen').innerText()).toBe('GLB, OBJ, STL, 3MF, PLY, OFF or ZIP');
+      expect(await page.locator('#chosen').innerText()).toBe(
+        'GLB, OBJ, STL, 3MF, PLY, OFF, PDO or ZIP',
+      );
       expect(await page.locator('#unfold').isDisabled()).toBe(true);
     };
     await studio.choose('empty.stl', '');

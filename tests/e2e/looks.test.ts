@@ -81,3 +81,21 @@ test('a missing picture is named', () =>
     );
     expect(await studio.page.locator('#looks').isVisible()).toBe(false);
   }));
+
+test('what is missing can be added after the model, one file after the other', () =>
+  withStudio(async (studio) => {
+    const [model, materials, skin] = files;
+    const result = studio.page.locator('#result');
+    await studio.chooseTogether([model!]);
+    await studio.resultOf('ring');
+    expect(await result.innerText()).toContain('choose it as well, or choose the whole folder');
+    await studio.drop([materials!]);
+    await expect.poll(() => result.innerText()).toContain('picture Skin.png is missing');
+    await studio.resultOf('ring');
+    await studio.chooseTogether([skin!]);
+    await studio.page.locator('#looks').waitFor();
+    const words = 'Chosen: ring.obj, ring.mtl and skin.png';
+    await expect.poll(() => studio.page.locator('#chosen').innerText()).toBe(words);
+    expect(await studio.page.locator('#message').isVisible()).toBe(false);
+    expect(studio.complaints).toEqual([]);
+  }));

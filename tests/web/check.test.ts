@@ -36,6 +36,7 @@ function lookAt(
     repairs: [],
     components,
     componentOfFaces,
+    fileNets: 0,
   };
 }
 

@@ -31,7 +31,7 @@ describe.skipIf(!isBuilt)('a file that needs others, or holds them', () => {
       const text = JSON.stringify({ ...json, buffers: [{ ...json.buffers![0], uri }] });
       fill(folder, { 'box.gltf': text });
       const model = join(folder, 'box.gltf');
-      const missing = `${model}: 'box.gltf' needs buffers/my data.bin, which is missing; choose it together with the model, or choose the whole folder\n`;
+      const missing = `${model}: 'box.gltf' needs buffers/my data.bin, which is missing; choose it as well, or choose the whole folder\n`;
       expect(await run(model, '--quiet')).toEqual({ status: 3, stdout: '', stderr: missing });
       mkdirSync(join(folder, 'buffers'));
       writeFileSync(join(folder, 'buffers/my data.bin'), bin);
@@ -52,10 +52,10 @@ describe.skipIf(!isBuilt)('a file that needs others, or holds them', () => {
 
   it('of a format that is not read is refused with what to do', () =>
     inFolder(async (folder) => {
-      fill(folder, { 'a.fbx': 'Kaydara FBX Binary  ', 'b.pdo': 'version 3\n' });
+      fill(folder, { 'a.fbx': 'Kaydara FBX Binary  ', 'b.dae': '<COLLADA' });
       for (const [name, format] of [
         ['a.fbx', 'an FBX model'],
-        ['b.pdo', 'a Pepakura model'],
+        ['b.dae', 'a COLLADA (DAE) model'],
       ] as const) {
         const { status, stderr } = await run(join(folder, name), '--quiet');
         expect([status, stderr]).toEqual([

@@ -1,10 +1,14 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import { startRenderer } from '../../web/export/renderer.js';
 import { checkPicture, decodePicture } from '../../web/export/texture/decode-picture.js';
+import { startWebp } from '../../web/export/texture/webp.js';
 import { loadPictures } from '../../web/export/texture/load-pictures.js';
 import { pictureHeader } from '../../web/model/picture-header.js';
 import type { Raster } from '../../web/export/texture/raster.js';
 import type { Looks } from '../../web/model/looks.js';
+import { bmpFiles, pixelsOf } from './bmp-files.js';
+import { tgaOf } from './tga-file.js';
+import { webp } from './webp-file.js';
 import { jpegOf } from './jpeg-file.js';
 import { materialOf, pngOf } from './looked-cube.js';
 import { readRenderer } from './printed.js';
@@ -14,7 +18,7 @@ const gif = Uint8Array.from(
   Buffer.from('R0lGODlhAgABAIABAP8AAAAA/ywAAAAAAgABAAACAgwKADs=', 'base64'),
 );
 
-function decoded(bytes: Uint8Array): Raster | null {
+async function decoded(bytes: Uint8Array): Promise<Raster | null> {
   const header = checkPicture(bytes);
   if (typeof header === 'string') throw new Error(header);
   return decodePicture(header, bytes);
@@ -42,43 +46,62 @@ function headOf(width: number, height: number): Uint8Array {
   return bytes;
 }
 
-beforeAll(() => startRenderer(readRenderer));
+beforeAll(async () => {
+  await startRenderer(readRenderer);
+  await startWebp(readRenderer);
+});
 
 describe('decodePicture', () => {
-  it('gives every pixel of a PNG file as it is', () => {
+  it('gives every pixel of a PNG file as it is', async () => {
     const noise = (x: number, y: number): number[] =>
       [7, 13, 29].map((step) => (x * x * step + y * 31 * step) & 255);
-    const { rgb, ...size } = decoded(pngOf(37, 23, noise))!;
+    const { rgb, ...size } = (await decoded(pngOf(37, 23, noise)))!;
     expect(size).toEqual({ width: 37, height: 23 });
     const expected = Array.from({ length: 37 * 23 }, (_, i) => noise(i % 37, Math.floor(i / 37)));
     expect([...rgb]).toEqual(expected.flat());
   });
 
-  it('puts white behind what is transparent', () => {
+  it('puts white behind what is transparent', async () => {
     const shares = [0, 128, 255];
-    const { rgb } = decoded(pngOf(3, 1, (x) => [200, 0, 100, shares[x]!]))!;
+    const { rgb } = (await decoded(pngOf(3, 1, (x) => [200, 0, 100, shares[x]!])))!;
     const expected = shares.flatMap((share) =>
       [200, 0, 100].map((value) => 255 + ((value - 255) * share) / 255),
     );
     rgb.forEach((value, i) => expect(Math.abs(value - expected[i]!)).toBeLessThanOrEqual(1));
   });
 
-  it('reads JPEG and GIF files', () => {
-    const { rgb, ...size } = decoded(jpegOf([210, 90, 40]))!;
+  it('reads JPEG and GIF files', async () => {
+    const { rgb, ...size } = (await decoded(jpegOf([210, 90, 40])))!;
     expect(size).toEqual({ width: 8, height: 8 });
     [210, 90, 40].forEach((value, i) => expect(Math.abs(rgb[i]! - value)).toBeLessThan(4));
-    expect(decoded(gif)).toEqual({
+    expect(await decoded(gif)).toEqual({
       width: 2,
       height: 1,
       rgb: Uint8Array.of(0, 0, 255, 255, 0, 0),
     });
   });
 
-  it('gives nothing of damaged files', () => {
+  it('reads WebP files, every pixel as it is', async () => {
+    const { rgb, ...size } = (await decoded(webp))!;
+    expect(size).toEqual({ width: 5, height: 3 });
+    const rgba = Array.from({ length: 60 }, (_, i) => (i * 37) % 256);
+    expect([...rgb]).toEqual(rgba.filter((_, i) => i % 4 < 3));
+  });
+
+  it('reads BMP and TGA files, with white behind what is transparent', async () => {
+    const { rgb } = (await decoded(new Uint8Array(Buffer.from(bmpFiles[0]![1], 'base64'))))!;
+    expect([...rgb]).toEqual(pixelsOf(24));
+    const spec = { kind: 'colours', depth: 32, alphaBits: 8 } as const;
+    const half = await decoded(tgaOf(spec, [1, 1], [[0, 100, 200, 51]]));
+    expect([...half!.rgb]).toEqual([244, 224, 204]);
+  });
+
+  it('gives nothing of damaged files', async () => {
     const whole = pngOf(64, 64, (x, y) => [x * y, x, y]);
-    expect(decoded(whole.subarray(0, 60))).toBeNull();
-    expect(decoded(jpegOf([1, 2, 3]).subarray(0, 100))).toBeNull();
-    expect(decoded(gif.subarray(0, 12))).toBeNull();
+    expect(await decoded(whole.subarray(0, 60))).toBeNull();
+    expect(await decoded(jpegOf([1, 2, 3]).subarray(0, 100))).toBeNull();
+    expect(await decoded(gif.subarray(0, 12))).toBeNull();
+    expect(await decoded(webp.subarray(0, 60))).toBeNull();
   });
 });
 
@@ -96,7 +119,7 @@ describe('pictureHeader', () => {
   });
 
   it('reads nothing beyond the end', () => {
-    for (const bytes of [pngOf(1, 1, () => [0, 0, 0]), jpegOf([0, 0, 0]), gif]) {
+    for (const bytes of [pngOf(1, 1, () => [0, 0, 0]), jpegOf([0, 0, 0]), gif, webp]) {
       for (let length = 0; length < 10; ++length) {
         expect(pictureHeader(bytes.slice(0, length))).toBeNull();
       }

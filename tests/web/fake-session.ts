@@ -66,6 +66,7 @@ export class FakeSession implements OpenModel {
       repairs: [],
       components,
       componentOfFaces,
+      fileNets: 0,
       ...this.inspection,
     };
   }

@@ -202,7 +202,14 @@ describe('files beside a model', () => {
 describe('pictures', () => {
   it('are known by their contents, and some can be used', () => {
     for (const [kind, bytes] of Object.entries(beginnings)) expect(pictureKind(bytes)).toBe(kind);
-    expect(Object.keys(beginnings).filter(isUsable)).toEqual(['PNG', 'JPEG', 'GIF']);
+    expect(Object.keys(beginnings).filter(isUsable)).toEqual([
+      'PNG',
+      'JPEG',
+      'GIF',
+      'WebP',
+      'BMP',
+      'TGA',
+    ]);
     expect(pictureKind(new Uint8Array())).toBe('');
   });
 

@@ -48,6 +48,13 @@ const own = Object.keys({
   'not-for-printing': 0,
   'posed-skins': 0,
   'unknown-extensions': 0,
+  'bad-pdo': 0,
+  'broken-faces': 0,
+  'damaged-extras': 0,
+  'file-nets-kept': 0,
+  'file-nets-lost': 0,
+  'file-nets-unused': 0,
+  'pdo-unused': 0,
   'unused-content': 0,
 } satisfies Record<keyof OwnMessages, 0>);
 
@@ -108,8 +115,24 @@ const examples: readonly [KnownMessage, string][] = [
     "'a.3mf' is damaged: at line 8 of '3D/a.model' stands 'nan' where something else is expected; get the file once more, or export it again",
   ],
   [
+    { code: 'bad-pdo', params: { file: 'a.pdo', what: 'damaged', at: 120 } },
+    "'a.pdo' is damaged or cut off (byte 120); get the file once more, or save it again in Pepakura Designer",
+  ],
+  [
+    { code: 'bad-pdo', params: { file: 'a.pdo', what: 'version', version: 9 } },
+    "'a.pdo' is of a version of Pepakura that is not known here (9); save it for Pepakura Designer 2 to 6, or as OBJ",
+  ],
+  [
+    { code: 'broken-faces', params: { count: 1 } },
+    '1 face left out: it lacks corners, or names vertices that are not in the file',
+  ],
+  [
+    { code: 'pdo-unused', params: { hidden: 1, texts: 3, images: 0 } },
+    'not used: 1 body that is switched off and 3 texts on the sheets',
+  ],
+  [
     { code: 'missing-files', params: { file: 'a.gltf', missing: ['a.bin'] } },
-    "'a.gltf' needs a.bin, which is missing; choose it together with the model, or choose the whole folder",
+    "'a.gltf' needs a.bin, which is missing; choose it as well, or choose the whole folder",
   ],
   [
     { code: 'no-model-in-archive', params: { file: 'a.zip', files: [] } },
@@ -132,11 +155,11 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'missing-looks', params: { what: 'pictures', files: ['a.png', 'b.png'] } },
-    'the pictures a.png and b.png are missing, so those faces stay plain; choose them together with the model, or choose the whole folder',
+    'the pictures a.png and b.png are missing, so those faces stay plain; choose them as well, or choose the whole folder',
   ],
   [
     { code: 'missing-looks', params: { what: 'libraries', files: ['a.mtl'] } },
-    "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it together with the model, or choose the whole folder",
+    "the file with the model's colours and pictures, a.mtl, is missing, so those faces stay plain; choose it as well, or choose the whole folder",
   ],
   [
     { code: 'picture-guessed', params: { file: 'a.png' } },
@@ -290,15 +313,15 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'unknown-format', params: { what: 'contents', format: 'png' } },
-    'the file is a PNG picture, which is not read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are',
+    'the file is a PNG picture, which is not read; OBJ, STL, OFF, PLY, GLB, glTF, 3MF and PDO are',
   ],
   [
     { code: 'unknown-format', params: { what: 'ending', ending: 'pdo' } },
-    'the file, by its ending, is a Pepakura model, which is not read; save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it',
+    'the file is named .pdo, but does not begin like one: it is damaged, or of another kind; get it once more, or save it again',
   ],
   [
     { code: 'unknown-format', params: { what: 'ending', ending: 'xyz' } },
-    "files that end in '.xyz' are not read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are",
+    "files that end in '.xyz' are not read; OBJ, STL, OFF, PLY, GLB, glTF, 3MF and PDO are",
   ],
   [
     { code: 'lost-picture-places', params: { count: 2 } },
@@ -407,7 +430,7 @@ const examples: readonly [KnownMessage, string][] = [
   ],
   [
     { code: 'no-model', params: { count: 2 } },
-    'none of the 2 files is a model that is read; OBJ, STL, OFF, PLY, GLB, glTF and 3MF are',
+    'none of the 2 files is a model that is read; OBJ, STL, OFF, PLY, GLB, glTF, 3MF and PDO are',
   ],
   [
     { code: 'unknown-format', params: { what: 'file', file: 'cube.dae', format: 'dae' } },

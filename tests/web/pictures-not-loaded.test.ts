@@ -16,7 +16,8 @@ it('sheets are printed in plain colours when the renderer of pictures does not c
       margin: 10,
       options: { ...defaultPrint, dpi: 72 },
       loadFont: fontReader(),
-      loadRenderer: () => (isOffline ? Promise.reject(new Error('offline')) : readRenderer()),
+      loadRenderer: (module) =>
+        isOffline ? Promise.reject(new Error('offline')) : readRenderer(module),
     });
   const plain = await print();
   expect(plain.notices).toEqual([{ code: 'pictures-not-loaded', params: {} }]);

@@ -48,8 +48,12 @@ export interface LookedTriangles extends Triangles {
   places: number[];
   /** 3 per vertex. */
   colours: number[];
-  /** Per triangle. */
+  /** Per face. */
   materials: number[];
+  /** Numbers of corners, where they are not three. */
+  sides: number[];
+  /** 2 per corner. */
+  cornerPlaces: number[];
 }
 
 const listsOf: Readonly<Record<string, keyof LookedTriangles>> = {
@@ -63,9 +67,15 @@ const listsOf: Readonly<Record<string, keyof LookedTriangles>> = {
   blue: 'colours',
   vertex_indices: 'corners',
   material: 'materials',
+  texcoord: 'cornerPlaces',
 };
 
-/** All that a file has. */
+/** A face as triangles around its first corner. */
+function fanOf([first, ...others]: number[]): number[] {
+  return others.slice(1).flatMap((corner, i) => [first!, others[i]!, corner]);
+}
+
+/** All that a file has; of faces with more corners the triangles. */
 export function parsePly(bytes: Uint8Array): LookedTriangles {
   const text = new TextDecoder('latin1').decode(bytes);
   const header = /^ply[^]*?end_header\n/.exec(text)![0];
@@ -77,12 +87,16 @@ export function parsePly(bytes: Uint8Array): LookedTriangles {
     places: [],
     colours: [],
     materials: [],
+    sides: [],
+    cornerPlaces: [],
   };
   for (const { count, properties } of elementsOf(header)) {
     for (let i = 0; i < count; ++i) {
       for (const { name, type, isList } of properties) {
         const length = isList ? read('uchar') : 1;
-        for (let k = 0; k < length; ++k) found[listsOf[name]!].push(read(type));
+        const values = Array.from({ length }, () => read(type));
+        if (name === 'vertex_indices' && length !== 3) found.sides.push(length);
+        found[listsOf[name]!].push(...(name === 'vertex_indices' ? fanOf(values) : values));
       }
     }
   }

@@ -15,9 +15,14 @@ export function fontReader(loaded: string[] = []): (file: string) => Promise<Uin
   };
 }
 
-/** The renderer of PNG files, as it comes from its package. */
-export async function readRenderer(): Promise<Uint8Array> {
-  const file = '../../node_modules/@resvg/resvg-wasm/index_bg.wasm';
+const modules = {
+  resvg: '@resvg/resvg-wasm/index_bg.wasm',
+  webp: '@jsquash/webp/codec/dec/webp_dec.wasm',
+} as const;
+
+/** The renderer of PNG files and the reader of WebP files, as they come from their packages. */
+export async function readRenderer(module: keyof typeof modules): Promise<Uint8Array> {
+  const file = `../../node_modules/${modules[module]}`;
   return new Uint8Array(await readFile(new URL(file, import.meta.url)));
 }
 

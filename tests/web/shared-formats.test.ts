@@ -58,6 +58,12 @@ const table: Readonly<Record<string, readonly [number, number] | string>> = {
   'models/3mf/production_material_textured_cube.3mf': [6, 167000],
   'models/3mf/slicer_bambustudio_project.3mf': [43342, 60500],
   'models/3mf/slicer_sliced_no_geometry.gcode.3mf': 'sliced print job',
+  'models/pdo/synthetic_v4.pdo': [16, 12000],
+  'models/pdo/synthetic_v5_lock2.pdo': 'is locked by the person who made it',
+  'models/pdo/synthetic_v5_no_unfold.pdo': [16, 12000],
+  'models/pdo/synthetic_v5_shift200_cp932_ownpage.pdo': [16, 12000],
+  'models/pdo/synthetic_v6_flag1.pdo': [16, 12000],
+  'models/pdo/synthetic_v6_flag3_designer6_tail.pdo': [16, 12000],
   'models/zip/gltf_folder.zip': [12, 1],
   'models/zip/stl_only.zip': 'little house.STL',
   'models/zip/taxi_macos.zip': 'Taxi Model/car_taxi.obj',
@@ -90,7 +96,7 @@ const table: Readonly<Record<string, readonly [number, number] | string>> = {
 
 const shared = sharedFolder();
 
-const ofOurs = /\.(glb|gltf|3mf|zip)$/i;
+const ofOurs = /\.(glb|gltf|3mf|pdo|zip)$/i;
 
 function filesBelow(folder: string): string[] {
   return readdirSync(join(shared!, folder), { withFileTypes: true, recursive: true })
@@ -124,7 +130,14 @@ async function outcome(path: string): Promise<readonly [number, number] | string
 
 describe.skipIf(shared === null)('shared files of formats that are read in TypeScript', () => {
   it('are all in the table', () => {
-    const folders = ['models/gltf', 'models/3mf', 'models/zip', 'models/crafts', 'nasty'];
+    const folders = [
+      'models/gltf',
+      'models/3mf',
+      'models/pdo',
+      'models/zip',
+      'models/crafts',
+      'nasty',
+    ];
     expect(folders.flatMap(filesBelow).sort()).toEqual(Object.keys(table).sort());
   });
 

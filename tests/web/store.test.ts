@@ -162,6 +162,7 @@ describe('a look at the model', () => {
   const found = (count: number) => ({
     model: { vertices: new Float32Array(9), faces: new Int32Array(3 * count) },
     componentOfFaces: new Int32Array(count),
+    fileNets: 0,
   });
 
   it('fills the page where something is to decide, and what was read goes into the run', async () => {

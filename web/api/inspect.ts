@@ -22,6 +22,8 @@ export interface Inspection {
   components: readonly Component[];
   /** Per face: the component that it belongs to, from 0. */
   componentOfFaces: Int32Array;
+  /** Pieces of the nets that the file brings along; 0 if it has none. */
+  fileNets: number;
 }
 
 type ModelEvent = Extract<TimedEvent, { type: 'model' }>;
@@ -39,12 +41,21 @@ function pauses(signal: AbortSignal | undefined): () => Promise<void> {
 }
 
 async function inspectionOf(
+  opened: OpenedModel,
   { file, vertices, faces }: ModelEvent,
   repairs: Message[],
   signal: AbortSignal | undefined,
 ): Promise<Inspection> {
   const { components, ofFaces } = await componentsOf(vertices, faces, pauses(signal));
-  return { file, model: { vertices, faces }, repairs, components, componentOfFaces: ofFaces };
+  const nets = await opened.fileNets(signal);
+  return {
+    file,
+    model: { vertices, faces },
+    repairs,
+    components,
+    componentOfFaces: ofFaces,
+    fileNets: nets?.pieces.length ?? 0,
+  };
 }
 
 /**
@@ -70,7 +81,7 @@ export function inspectModel(
       if (event.type === 'notice') repairs.push({ code: event.code, params: event.params });
       if (event.type !== 'model') return;
       // Repairs are told before the model, and nothing else is wanted of the job.
-      resolve(inspectionOf(event, repairs, signal));
+      resolve(inspectionOf(opened, event, repairs, signal));
       end.abort();
     };
     // After the model was told the rejection is that of the end, and nobody hears it.

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
+import type { RendererModule } from '../export/renderer-loader.js';
 
-/** Reads the renderer of PNG files, which the build puts beside the program. */
-export async function readRendererFile(): Promise<Uint8Array> {
-  return new Uint8Array(await readFile(new URL('resvg.wasm', import.meta.url)));
+/** Reads a module that draws or reads pictures, which the build puts beside the program. */
+export async function readRendererFile(module: RendererModule): Promise<Uint8Array> {
+  return new Uint8Array(await readFile(new URL(`${module}.wasm`, import.meta.url)));
 }

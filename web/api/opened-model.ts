@@ -3,6 +3,7 @@ import { runJob, type RunOptions, type TimedResult } from '../core/client.js';
 import { readModel } from '../core/model-reader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEngineEvent } from '../core/protocol.js';
+import type { FileNets } from '../model/file-nets.js';
 import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { ReadModel } from '../read/read-model.js';
@@ -46,6 +47,11 @@ export class OpenedModel {
     };
     const wanted = model ? filledIn(options, model) : options;
     return finished.of(await runJob(this.pool(), files, wanted, { ...work, onEvent }));
+  }
+
+  /** Nets that the file brings along; null where it has none. Rejects as `run` does for files that give no model. */
+  async fileNets(signal?: AbortSignal): Promise<FileNets | null> {
+    return (await this.open(signal)).model?.nets ?? null;
   }
 
   /** Once for all jobs; another try may succeed where one was ended. */

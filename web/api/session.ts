@@ -26,6 +26,7 @@ import {
   type EditPlan,
   type Refusal,
 } from './edit-plan.js';
+import { beginningOf } from './file-nets.js';
 import { History } from './history.js';
 import { inspectModel, type Inspection } from './inspect.js';
 import { OpenedModel } from './opened-model.js';
@@ -227,9 +228,10 @@ export class Session {
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
-    const wishes = freshWishes(settings);
-    const run = (more: WorkOptions): Promise<TimedResult> => this.job(jobOf(wishes), null, more);
+    const beginning = await beginningOf(this.model, freshWishes(settings), work);
+    const run = (more: WorkOptions): Promise<TimedResult> => beginning.run(more);
     const { result, isWhole } = await outcome(run, work);
+    const { wishes } = beginning;
     this.fileName = result.file;
     const first: DocumentState = { wishes, result };
     // What an ended run has found depends on when it was ended: it cannot be computed again.

@@ -11,6 +11,7 @@ import {
 } from './check-words.js';
 import { make } from './dom.js';
 import type { FacesField } from './faces-field.js';
+import { NetsCheck } from './nets-check.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { SizeFields } from './size-fields.js';
@@ -26,6 +27,13 @@ function fillList(list: HTMLElement, sentences: readonly string[]): void {
   list.hidden = items.length === 0;
 }
 
+export interface CheckListener {
+  /** Leaves the model for the nets that were on the page before. */
+  onBack: () => void;
+  /** Keeps the nets of the file, or not. */
+  onNets: (nets: Settings['nets']) => void;
+}
+
 /** What there is to decide and to know about a model before it is unfolded, beside its picture. */
 export class CheckPanel extends Panel {
   private readonly card = this.find('#check', HTMLElement);
@@ -39,17 +47,19 @@ export class CheckPanel extends Panel {
   private readonly repaired = this.find('#check-repaired', HTMLElement);
   private readonly remaining = this.find('#check-remaining', HTMLElement);
   private readonly back = this.find('#check-back', HTMLButtonElement);
+  private readonly triangles = this.find('#check-triangles', HTMLElement);
   private readonly size: SizeCheck;
+  private readonly nets: NetsCheck;
 
-  /** @param onBack leaves the model for the nets that were on the page before */
   constructor(
     place: StudioPlace,
     private readonly faces: FacesField,
     sizes: SizeFields,
-    onBack: () => void,
+    { onBack, onNets }: CheckListener,
   ) {
     super(place);
     this.size = new SizeCheck(place, sizes);
+    this.nets = new NetsCheck(place, onNets);
     this.slider.addEventListener('input', () => this.faces.set(this.slider.valueAsNumber));
     this.levels.addEventListener('click', ({ target }) => {
       if (!(target instanceof HTMLButtonElement)) return;
@@ -67,7 +77,6 @@ export class CheckPanel extends Panel {
   begin(check: Check, canLeave: boolean): void {
     this.back.hidden = !canLeave;
     this.why.textContent = triangleWords(check.faces, check.proposal);
-    this.find('#check-triangles', HTMLElement).hidden = check.faces <= faceLevels[0];
     this.levels.replaceChildren(...this.levelButtons(check));
     const most = Math.min(slider.most, Math.floor(check.faces / slider.step) * slider.step);
     Object.assign(this.slider, { min: slider.least, max: most, step: slider.step });
@@ -85,6 +94,9 @@ export class CheckPanel extends Panel {
   /** Shows what the fields say now, and what the picture shows of it. */
   update(check: Check): void {
     const faces = this.faces.value;
+    // Nets of a file fit its own triangles only.
+    this.triangles.hidden = check.faces <= faceLevels[0] || check.nets === 'file';
+    this.nets.update(check);
     for (const button of this.levels.querySelectorAll('button')) {
       button.setAttribute('aria-pressed', String(button.value === String(faces)));
     }
@@ -96,7 +108,7 @@ export class CheckPanel extends Panel {
     const words = lookWords(seen, check.working, wordsFor(faces, check));
     // Only what is new is spoken.
     if (this.look.textContent !== words) this.look.textContent = words;
-    this.size.update(check.outline);
+    this.size.update(check.outline, check.nets);
   }
 
   private levelButtons(check: Check): HTMLButtonElement[] {

@@ -1,4 +1,5 @@
 /** What is said about a model before it is unfolded. */
+import type { Settings } from '../model/options.js';
 import { mostFaces, usualFaces } from '../model/face-numbers.js';
 import type { Message } from '../model/message.js';
 import { phraseOf } from '../words/phrase.js';
@@ -67,6 +68,16 @@ export function bodyWords(bodies: number, tiny: number): string {
     `${separate} ${large(tiny)} of them ${are} tiny: less than 3 % of its length. ` +
     `The picture shows ${them} in colour.`
   );
+}
+
+/** What becomes of the nets that a file brings along. */
+export function netsWords(pieces: number, nets: Settings['nets']): string {
+  if (nets === 'file') {
+    return 'The model is cut and folded just as in its file, at the same size if the paper has room for it.';
+  }
+  const [own, them] =
+    pieces === 1 ? ['its own net', 'it'] : [`its own nets, ${large(pieces)} pieces`, 'them'];
+  return `The file brings ${own}. Keep ${them} to cut and fold as its maker did, or have new nets made.`;
 }
 
 /** A length as people say it: 8 mm, 12 cm, 1.2 m. */

@@ -3,6 +3,7 @@ import { JobError } from '../core/job-error.js';
 import { extentsOf } from '../model/bounds.js';
 import { isTiny } from '../model/components.js';
 import { mostFaces, proposedFaces, usualFaces } from '../model/face-numbers.js';
+import type { Settings } from '../model/options.js';
 import { isUnmended } from './check-words.js';
 import type { ChosenModel } from './model-file.js';
 import { QuickLooks, type Aspect, type Looker, type OpenLooker } from './quick-looks.js';
@@ -38,6 +39,7 @@ export class Check {
   private first: Inspection | null = null;
   private shownLook: Inspection | null = null;
   private count = 0;
+  private wantedNets: Settings['nets'] = 'new';
   private abort = new AbortController();
   private isWorking = false;
   /** Of the look that is shown or on its way; null if nobody has asked for one. */
@@ -118,9 +120,26 @@ export class Check {
     return this.shownLook.componentOfFaces.map((component) => (tiny.has(component) ? 0 : -1));
   }
 
+  /** Pieces of the nets that the file brings along; 0 if it has none. */
+  get fileNets(): number {
+    return this.first?.fileNets ?? 0;
+  }
+
+  /** Whether these are to be kept. */
+  get nets(): Settings['nets'] {
+    return this.wantedNets;
+  }
+
+  /** Keeps the nets of the file, or has new ones made. */
+  choose(nets: Settings['nets']): void {
+    this.wantedNets = nets;
+    this.onChange();
+  }
+
   /** Whether someone should look before nets are searched. */
   get hasToDecide(): boolean {
-    return this.proposal !== null || this.tinyBodies > 0 || this.repairs.some(isUnmended);
+    const isLarge = this.proposal !== null;
+    return isLarge || this.fileNets > 0 || this.tinyBodies > 0 || this.repairs.some(isUnmended);
   }
 
   /**

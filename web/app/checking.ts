@@ -1,3 +1,4 @@
+import type { Settings } from '../model/options.js';
 import type { Inspection } from '../api/inspect.js';
 import type { Check } from './check.js';
 import { CheckPanel } from './check-panel.js';
@@ -30,7 +31,10 @@ export class Checking extends Panel {
   ) {
     super(place);
     const show = (isShown: boolean) => () => store.showCheck(isShown);
-    this.panel = new CheckPanel(place, form.faces, form.size, show(false));
+    this.panel = new CheckPanel(place, form.faces, form.size, {
+      onBack: show(false),
+      onNets: (nets) => this.choose(nets),
+    });
     this.again.addEventListener('click', show(true));
     form.onChange(() => {
       if (!this.check) return;
@@ -58,6 +62,15 @@ export class Checking extends Panel {
     const { top } = this.room.getBoundingClientRect();
     // On a phone it is below the form.
     if (top > innerHeight / 2) this.room.scrollIntoView({ block: 'start' });
+  }
+
+  /** Nets of a file fit the model as it is. */
+  private choose(nets: Settings['nets']): void {
+    const { check } = this.store;
+    if (!check) return;
+    check.choose(nets);
+    if (nets === 'file') this.form.faces.set('off');
+    else this.propose(check);
   }
 
   private follow(): void {

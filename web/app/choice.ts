@@ -1,3 +1,4 @@
+import { areCompanions, joinedBy } from './late-companions.js';
 import type { ChosenModel } from './model-file.js';
 
 /** The model that the button unfolds. A file is chosen once the engine could read it, and not before. */
@@ -5,6 +6,8 @@ export class Choice {
   private readable: ChosenModel | null = null;
   /** Not read yet. */
   private candidate: ChosenModel | null = null;
+  /** Could not be read as files that belong to it are missing, which may come yet. */
+  private incomplete: ChosenModel | null = null;
   private isOpening = false;
 
   /** Null if there is none. */
@@ -17,9 +20,11 @@ export class Choice {
     return this.isOpening;
   }
 
-  /** Takes a file that may be one. */
+  /** Takes files that may be one, or belong to the one that was chosen before. */
   take(model: ChosenModel): void {
-    this.candidate = model;
+    const before = this.candidate ?? this.incomplete ?? this.readable;
+    this.candidate = before && areCompanions(model) ? joinedBy(before, model) : model;
+    this.incomplete = null;
   }
 
   /** The file is being read. */
@@ -33,8 +38,9 @@ export class Choice {
     this.drop();
   }
 
-  /** It is none, and is dropped: the one before is chosen again, if there is one. */
-  drop(): void {
+  /** It is none, and is dropped: the one before is chosen again, if there is one. @param code why it is none */
+  drop(code = ''): void {
+    if (code === 'missing-files') this.incomplete = this.candidate;
     this.candidate = null;
     this.leave();
   }

@@ -1,3 +1,4 @@
+import { some } from '../words/numbers.js';
 import type { Choice } from './choice.js';
 import type { OptionsForm } from './options-form.js';
 import { Panel } from './panel.js';
@@ -20,7 +21,8 @@ export class ModelChoice extends Panel {
 
   show({ model, opening }: Choice): void {
     const verb = opening ? 'Opening' : 'Chosen';
-    this.words.textContent = model ? `${verb}: ${model.name}` : this.formats;
+    const names = model ? [model.name, ...(model.added ?? [])] : [];
+    this.words.textContent = model ? `${verb}: ${some(names)}` : this.formats;
     this.gallery.mark(model?.name ?? null);
     this.form.ready = model !== null;
   }

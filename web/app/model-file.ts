@@ -10,6 +10,8 @@ export interface ChosenModel {
   /** Of its file; by the endings of names until the engine has read it. */
   name: string;
   files: ModelFiles;
+  /** Names of files that were chosen after it, and belong to it; absent if there are none. */
+  added?: readonly string[];
 }
 
 /** A file that was picked, and where it lay in the folder that was picked with it. */
@@ -86,7 +88,7 @@ async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
 export async function readModelFiles(picked: readonly PickedFile[]): Promise<ChosenModel> {
   if (picked.length === 0) {
     throw new UnusableChoice(
-      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY or OFF file, or a ZIP with one.',
+      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY, OFF or PDO file, or a ZIP with one.',
     );
   }
   checkSizes(picked);

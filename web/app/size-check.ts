@@ -1,4 +1,5 @@
 import { extentsOf } from '../model/bounds.js';
+import type { Settings } from '../model/options.js';
 import { pencil, pencilPath, silhouetteOf } from '../view/silhouette.js';
 import type { Inspection } from '../api/inspect.js';
 import { lengthWords } from './check-words.js';
@@ -18,6 +19,12 @@ function scaleFor({ kind, amount }: Wish, sides: readonly number[]): number | nu
   if (side === undefined || amount === null) return null;
   return sides[side]! > 0 ? amount / sides[side]! : null;
 }
+
+/** How large a model gets of which no size is wished. */
+const fitWords: Readonly<Record<Settings['nets'], string>> = {
+  new: 'As large as a sheet allows: how large that is shows when it is unfolded.',
+  file: 'As large as in the file, or as a sheet allows: how large that is shows when it is unfolded.',
+};
 
 /** Draws the model at its wished size beside a pencil, and offers sizes. */
 export class SizeCheck extends Panel {
@@ -42,20 +49,23 @@ export class SizeCheck extends Panel {
     });
   }
 
-  /** @param look null while there is none that is quick to draw */
-  update(look: Inspection | null): void {
+  /**
+   * @param look null while there is none that is quick to draw
+   * @param nets whose they are: those of the file have a size of their own
+   */
+  update(look: Inspection | null, nets: Settings['nets']): void {
     const { wish } = this.size;
     for (const button of this.buttons.querySelectorAll('button')) {
       const height = wish.kind === 'height' ? String(wish.amount) : wish.kind;
       button.setAttribute('aria-pressed', String(button.value === height));
     }
-    const key = `${wish.kind} ${wish.amount}`;
+    const key = `${wish.kind} ${wish.amount} ${nets}`;
     if (key === this.drawn && look === this.drawnLook) return;
     [this.drawn, this.drawnLook] = [key, look];
     const sides = look ? extentsOf(look.model.vertices) : [0, 0, 0];
     const scale = scaleFor(wish, sides);
     if (look && scale !== null) this.draw(look, scale);
-    else this.drawNothing(wish);
+    else this.drawNothing(wish, nets);
   }
 
   private draw({ model }: Inspection, scale: number): void {
@@ -71,11 +81,8 @@ export class SizeCheck extends Panel {
     this.picture.removeAttribute('hidden');
   }
 
-  private drawNothing({ kind }: Wish): void {
+  private drawNothing({ kind }: Wish, nets: Settings['nets']): void {
     this.picture.setAttribute('hidden', '');
-    this.words.textContent =
-      kind === 'fit'
-        ? 'As large as a sheet allows: how large that is shows when it is unfolded. Choose a height to see it beside a pencil.'
-        : 'How large it gets shows when it is unfolded. Choose a height to see it beside a pencil.';
+    this.words.textContent = `${kind === 'fit' ? fitWords[nets] : 'How large it gets shows when it is unfolded.'} Choose a height to see it beside a pencil.`;
   }
 }

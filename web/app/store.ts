@@ -294,7 +294,7 @@ export class Store {
 
   /** A file that cannot be read is not the chosen one any more. */
   private endRun(ending: Ending): void {
-    if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop();
+    if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop(ending.code);
     else this.choice.leave();
     this.presentScene = this.restingScene;
     this.notify('choice', 'check', 'work', 'scene');

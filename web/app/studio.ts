@@ -213,7 +213,9 @@ export class Studio extends Panel {
     if (ending.type === 'nothing') return;
     if (ending.type !== 'inspected') return this.leave(ending, model);
     const { check } = ending;
-    const holds = mayHold && check.hasToDecide;
+    // Edits of the result on the page would be gone with a new one.
+    const isEdited = model.added !== undefined && this.store.undoable !== null;
+    const holds = mayHold && (check.hasToDecide || isEdited);
     this.checking.propose(check);
     if (holds) return this.hold(check);
     if (!this.form.isValid) this.progress.end('');
@@ -231,7 +233,8 @@ export class Studio extends Panel {
     const { model } = this.store.choice;
     const fields = this.form.read();
     if (!model || !fields) return;
-    const asked = changedSettings(fields, this.result.look);
+    const nets = this.store.check?.nets ?? 'new';
+    const asked = { ...changedSettings(fields, this.result.look), nets };
     this.message.clear();
     this.progress.begin(model.name);
     const ending = await this.store.unfold(asked, this.settings.read(), (pictures) =>

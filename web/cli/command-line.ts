@@ -75,7 +75,7 @@ function describe(): Command {
     .description('Unfolds a 3D model into paper nets.')
     .argument(
       '<model>',
-      'OBJ, STL, OFF, PLY, GLB, glTF or 3MF file, or a folder or ZIP archive with one and what belongs to it',
+      'OBJ, STL, OFF, PLY, GLB, glTF, 3MF or PDO file, or a folder or ZIP archive with one and what belongs to it',
     )
     .option(
       '-o, --output <file>',

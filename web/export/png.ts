@@ -1,6 +1,6 @@
 import { pixelExcess, pixelSize } from '../model/pixels.js';
 import { BadOption } from '../words/bad-option.js';
-import { withPhysicalSize } from './png-chunk.js';
+import { withPhysicalSize } from './png-resolution.js';
 import { fontsOf, type Print } from './print.js';
 import { renderSvg, startRenderer } from './renderer.js';
 import { drawSvg } from './svg.js';

@@ -1,2 +1,5 @@
-/** Reads the WebAssembly module that draws pictures, which comes along as a file of its own. */
-export type RendererLoader = () => Promise<Uint8Array>;
+/** Modules of WebAssembly that come along as files of their own: what draws pictures, and what reads those of WebP. */
+export type RendererModule = 'resvg' | 'webp';
+
+/** Reads one of these modules. */
+export type RendererLoader = (module: RendererModule) => Promise<Uint8Array>;

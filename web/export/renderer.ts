@@ -5,7 +5,7 @@ let ready: Promise<void> | null = null;
 
 /** Starts the renderer once in each thread: it refuses a second time. */
 export function startRenderer(load: RendererLoader): Promise<void> {
-  ready ??= load().then(initWasm);
+  ready ??= load('resvg').then(initWasm);
   // Another try may succeed.
   ready.catch(() => (ready = null));
   return ready;

@@ -20,7 +20,7 @@ const mostMegabytes = 512;
 export const mostFiles = 1000;
 
 /** Formats of models by their endings; an archive is the last to be one. */
-const modelEndings = [/\.(obj|stl|off|ply|glb|gltf|3mf)$/i, /\.zip$/i];
+const modelEndings = [/\.(obj|stl|off|ply|glb|gltf|3mf|pdo)$/i, /\.zip$/i];
 
 /** Adds up files before they are read. */
 export class FileLimits {

@@ -50,6 +50,12 @@ const colourOf = (lines: string): Row<string> =>
 
 export const rows = {
   parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces)), 'number of parts'),
+  nets: row(
+    'NAME',
+    'new',
+    choice(['new', 'file']),
+    'file: keep the nets and flaps that the file brings along (PDO); new: search others',
+  ),
   solver: row(
     'NAME',
     defaultOptions.solver,

@@ -1,7 +1,10 @@
 /** What the first bytes of a picture's file say of it. */
 
+import { bmpHeader } from './bmp.js';
+import { tgaHeader } from './tga.js';
+
 /** Kinds of pictures that are decoded. */
-export type PictureKind = 'png' | 'jpeg' | 'gif';
+export type PictureKind = 'png' | 'jpeg' | 'gif' | 'webp' | 'bmp' | 'tga';
 
 export interface PictureHeader {
   kind: PictureKind;
@@ -69,10 +72,36 @@ function jpegHeader(bytes: Uint8Array): PictureHeader | null {
   return null;
 }
 
+/** Size of a picture in one of the three forms that WebP has: with losses, without, and with more than pixels. */
+function webpHeader(bytes: Uint8Array): PictureHeader | null {
+  if (bytes.length < 30) return null;
+  const view = viewOf(bytes);
+  const u24 = (at: number): number => view.getUint16(at, true) | (view.getUint8(at + 2) << 16);
+  const form = String.fromCharCode(...bytes.subarray(12, 16));
+  if (form === 'VP8X') return { kind: 'webp', width: u24(24) + 1, height: u24(27) + 1 };
+  if (form === 'VP8L') {
+    const bits = view.getUint32(21, true);
+    return { kind: 'webp', width: (bits & 0x3fff) + 1, height: ((bits >>> 14) & 0x3fff) + 1 };
+  }
+  if (form !== 'VP8 ') return null;
+  const [width, height] = [26, 28].map((at) => view.getUint16(at, true) & 0x3fff);
+  return { kind: 'webp', width: width!, height: height! };
+}
+
+function isWebp(bytes: Uint8Array): boolean {
+  return (
+    String.fromCharCode(...bytes.subarray(0, 12)).replace(/(?<=^RIFF)[^]{4}/, '') === 'RIFFWEBP'
+  );
+}
+
 /** Kind and size of a picture; null if it is none of these kinds, or ends before it says its size. */
 export function pictureHeader(bytes: Uint8Array): PictureHeader | null {
   if (starts(bytes, pngSignature)) return pngHeader(bytes);
   if (starts(bytes, jpegSignature)) return jpegHeader(bytes);
   if (starts(bytes, gifSignature)) return gifHeader(bytes);
-  return null;
+  if (isWebp(bytes)) return webpHeader(bytes);
+  const bmp = bmpHeader(bytes);
+  if (bmp) return { kind: 'bmp', width: bmp.width, height: bmp.height };
+  const tga = tgaHeader(bytes);
+  return tga && { kind: 'tga', width: tga.width, height: tga.height };
 }

@@ -1,7 +1,8 @@
 /** Unpacks ZIP archives within bounds. Nothing is written anywhere, so names cannot lead out of them. */
-import { Inflate } from 'fflate';
 import { FileLimits, isHidden, type ModelFile } from '../model/model-files.js';
+import { remainder } from '../model/png-file.js';
 import type { FileSource } from './companions.js';
+import { inflated } from './inflate.js';
 import { normalized } from './paths.js';
 import type { ArchiveFault } from '../words/messages.js';
 import { Unreadable, unreadable } from './unreadable.js';
@@ -19,9 +20,6 @@ const harmless = 16 * 2 ** 20;
 /** Files of any kind; far more are in no archive of a model. */
 const mostEntries = 20_000;
 
-/** Bytes that are unpacked at a time: what comes out of a bomb is noticed before it is large. */
-const step = 16_384;
-
 /** The path of an entry in the archive; null for a folder, and for one that leads elsewhere. */
 function pathOf({ name }: ZipEntry): string | null {
   return /[/\\]$/.test(name) ? null : normalized(name);
@@ -32,40 +30,10 @@ export function isOfPerson(path: string): boolean {
   return !isHidden(path) && !/(?:^|\/)(?:__MACOSX\/|Thumbs\.db$|desktop\.ini$)/i.test(path);
 }
 
-/** The checksum that archives have of their files (CRC-32). */
-function checksumOf(bytes: Uint8Array): number {
-  let sum = ~0;
-  for (const byte of bytes) sum = checksums[(sum ^ byte) & 0xff]! ^ (sum >>> 8);
-  return ~sum >>> 0;
-}
-
-const checksums = Int32Array.from({ length: 256 }, (_, byte) => {
-  let sum = byte;
-  for (let bit = 0; bit < 8; ++bit) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1;
-  return sum;
-});
-
-/** @throws BrokenZip unless just `size` bytes come out */
-function inflated(packed: Uint8Array, size: number): Uint8Array {
-  const bytes = new Uint8Array(size);
-  let at = 0;
-  const inflate = new Inflate((chunk) => {
-    if (at + chunk.length > size) throw new BrokenZip();
-    bytes.set(chunk, at);
-    at += chunk.length;
-  });
-  for (let begin = 0; begin < packed.length; begin += step) {
-    const end = begin + step;
-    inflate.push(packed.subarray(begin, end), end >= packed.length);
-  }
-  if (at !== size) throw new BrokenZip();
-  return bytes;
-}
-
 function contentOf(zip: ZipBytes, entry: ZipEntry): Uint8Array {
   const packed = packedBytes(zip, entry);
   const bytes = entry.method === 0 ? packed.slice() : inflated(packed, entry.size);
-  if (checksumOf(bytes) !== entry.checksum) throw new BrokenZip();
+  if (remainder(bytes) !== entry.checksum) throw new BrokenZip();
   return bytes;
 }
 

@@ -1,9 +1,8 @@
 /** Writes triangles so that the engine reads them with the precision that they have, and with how they look. */
 import type { ModelFile } from '../model/model-files.js';
+import { concatenated, encode, linesOf, placeWord } from './ply-text.js';
 import { bitsOfSingle, halfSpacing, largestOf } from './precision.js';
 import type { PartLooks, Soup } from './soup.js';
-
-const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
 
 /** What a PLY file is made of. */
 interface Surface extends PartLooks {
@@ -66,34 +65,6 @@ function binaryPly(surface: Surface): Uint8Array {
     if (materials) addWhole(materials[face]!);
   }
   return bytes;
-}
-
-/** Lines that are joined at a time: one string for all of them may be longer than strings can be. */
-const linesPerBlock = 10_000;
-
-function linesOf(count: number, line: (index: number) => string): Uint8Array[] {
-  const blocks: Uint8Array[] = [];
-  for (let first = 0; first < count; first += linesPerBlock) {
-    const length = Math.min(linesPerBlock, count - first);
-    const lines = Array.from({ length }, (_, i) => line(first + i));
-    blocks.push(encode(`${lines.join('\n')}\n`));
-  }
-  return blocks;
-}
-
-function concatenated(blocks: readonly Uint8Array[]): Uint8Array {
-  const bytes = new Uint8Array(blocks.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const block of blocks) {
-    bytes.set(block, at);
-    at += block.length;
-  }
-  return bytes;
-}
-
-/** A place in a picture as text: nine digits tell all floats apart. */
-function placeWord(value: number): string {
-  return Number.isNaN(value) ? 'nan' : String(Number(value.toPrecision(9)));
 }
 
 /** Text whose last decimal is about as large as the error of what it stands for. */

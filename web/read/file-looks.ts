@@ -116,7 +116,7 @@ function picturesLooks(
   return { materials, pictures: pictures.files, isForAll, notices: pictures.notices };
 }
 
-const pictureEnding = /\.(?:png|jpe?g|gif)$/i;
+const pictureEnding = /\.(?:png|jpe?g|gif|webp|bmp|tga)$/i;
 
 /**
  * The only picture beside a model that has places in pictures, but names none: programs write such files when they are

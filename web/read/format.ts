@@ -2,7 +2,7 @@
 import type { ModelFile, ModelFiles } from '../model/model-files.js';
 
 /** Formats that are read here; all others are the engine's. */
-export type Format = 'glb' | 'gltf' | '3mf' | 'zip';
+export type Format = 'glb' | 'gltf' | '3mf' | 'pdo' | 'zip';
 
 const latin = new TextDecoder('latin1');
 
@@ -29,11 +29,15 @@ function isGltf(bytes: Uint8Array): boolean {
   return version.test(textOf(bytes, 0, ends)) || version.test(textOf(bytes, -ends));
 }
 
+/** How files of Pepakura Designer begin: since its second version, and before. */
+const pdoMark = /^(?:version 3\n|# Pepakura Designer Work Info )/;
+
 /** The format that the contents show; null for one that is not read here. */
 export function formatOf(bytes: Uint8Array): Format | null {
   const begin = textOf(bytes, 0, 4);
   if (begin === 'glTF') return 'glb';
   if (begin === 'PK\x03\x04' || begin === 'PK\x05\x06') return is3mf(bytes) ? '3mf' : 'zip';
+  if (pdoMark.test(textOf(bytes, 0, 32))) return 'pdo';
   return isGltf(bytes) ? 'gltf' : null;
 }
 
@@ -51,7 +55,7 @@ export function needsReader(files: ModelFiles): boolean {
   return formats.includes('zip') && !files.some(isNamedForEngine);
 }
 
-const anyEnding = /\.(obj|stl|off|ply|glb|gltf|3mf)$/i;
+const anyEnding = /\.(obj|stl|off|ply|glb|gltf|3mf|pdo)$/i;
 
 /** Whether an archive with these paths is a 3MF package, of whose names `formatOf` may not have seen all. */
 export function isPackage(paths: readonly string[]): boolean {

@@ -25,14 +25,15 @@ export class Pictures {
    *
    * @param key tells pictures apart; `find` is called once for each
    * @param name as people know it
-   * @param find gets its file; null if it did not come along
+   * @param find gets its file; null if it did not come along, `large` if it is not even to be unpacked
    */
-  add(key: string, name: string, find: () => ModelFile | null): number | null {
+  add(key: string, name: string, find: () => ModelFile | 'large' | null): number | null {
     const known = this.numbers.get(key);
     if (known !== undefined) return known;
     const file = find();
     if (!file) this.missing.add(name);
-    const number = file && this.taken(file);
+    if (file === 'large') this.large.push(name);
+    const number = file && file !== 'large' ? this.taken(file) : null;
     this.numbers.set(key, number);
     return number;
   }

@@ -24,6 +24,12 @@ async function read(
     const usual = { up: 'z', unit: 'mm' } as const;
     return { name, file: engineFile(soup), companions: [], usual, ...rest };
   }
+  if (format === 'pdo') {
+    const { readPdo } = await loaded(() => import('./pdo/read-pdo.js'));
+    const { nets, ...rest } = readPdo(file);
+    const usual = { up: 'y', unit: 'mm' } as const;
+    return { name, companions: [], usual, ...rest, ...(nets && { nets }) };
+  }
   if (format === 'glb' || format === 'gltf') {
     const { readGltf } = await loaded(() => import('./gltf/read-gltf.js'));
     const { soup, ...rest } = await readGltf(file, format === 'glb', companions, tools);

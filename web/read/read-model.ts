@@ -1,4 +1,5 @@
 /** What the readers hand over. */
+import type { FileNets } from '../model/file-nets.js';
 import type { JobOptions } from '../model/job-options.js';
 import type { LookedFiles } from '../model/looks.js';
 import type { Message } from '../model/message.js';
@@ -15,6 +16,8 @@ export interface ReadModel {
   looks: LookedFiles | null;
   /** Files beside it that it names, and that only those know how to use who know what the engine reads of it. */
   companions: ModelFile[];
+  /** Nets that the file brings along; absent where it has none. */
+  nets?: FileNets;
   /** What is to be told of the files. */
   notices: Message[];
   /** What its format says, where nobody says otherwise. */

@@ -7,6 +7,9 @@ import {
   type Texture,
   type Wrapping,
 } from 'three';
+import { readBmp } from '../model/bmp.js';
+import { isTooLarge, pictureHeader } from '../model/picture-header.js';
+import { readTga } from '../model/tga.js';
 import type { Material, Wrap } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
 import { newContext } from './context-2d.js';
@@ -23,10 +26,22 @@ const wrappings: Readonly<Record<Wrap, Wrapping>> = {
   clamp: ClampToEdgeWrapping,
 };
 
+/** A decoded picture, by the same means as for print where browsers read a kind each in its own way, or not at all. */
+function bitmapOf(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
+  const header = pictureHeader(bytes);
+  const isOurs = header && !isTooLarge(header) && (header.kind === 'bmp' || header.kind === 'tga');
+  if (!isOurs) return createImageBitmap(new Blob([bytes]));
+  const pixels = header.kind === 'bmp' ? readBmp(bytes) : readTga(bytes);
+  if (!pixels) throw new Error('the picture is damaged');
+  const { width, height, rgba } = pixels;
+  const clamped = new Uint8ClampedArray(rgba.buffer as ArrayBuffer);
+  return createImageBitmap(new ImageData(clamped, width, height));
+}
+
 /** A picture on white, as paper has it, with no side longer than that; null for one that is damaged. */
 async function canvasOf({ bytes }: ModelFile, longest: number): Promise<HTMLCanvasElement | null> {
   try {
-    const bitmap = await createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>]));
+    const bitmap = await bitmapOf(bytes as Uint8Array<ArrayBuffer>);
     const share = Math.min(1, longest / Math.max(bitmap.width, bitmap.height));
     const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.ceil(share * side));
     const context = newContext(width!, height!);

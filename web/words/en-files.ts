@@ -23,7 +23,10 @@ function was(noun: keyof typeof plural, what: string): (params: { count: number 
 
 /** What the formats that are read are for people with a model of another one. */
 const saveAs = 'save it as GLB, OBJ, STL, 3MF, PLY or OFF in the program that made it';
-const readFormats = 'OBJ, STL, OFF, PLY, GLB, glTF and 3MF are';
+const readFormats = 'OBJ, STL, OFF, PLY, GLB, glTF, 3MF and PDO are';
+
+/** Endings of formats that are read, and whose contents say that they are. */
+const readByContents: readonly string[] = ['glb', 'gltf', '3mf', 'pdo', 'zip'];
 
 /** Models and projects of other programs, by the words of the engine or by the endings of their names. */
 const models: Readonly<Record<string, string>> = {
@@ -52,7 +55,6 @@ const models: Readonly<Record<string, string>> = {
   ma: 'a Maya project',
   mb: 'a Maya project',
   lwo: 'a LightWave model',
-  pdo: 'a Pepakura model',
   usd: 'a USD model',
   usda: 'a USD model',
   usdc: 'a USD model',
@@ -177,6 +179,10 @@ function unknownFormat(params: Messages['unknown-format']): string {
     case 'file':
       return `'${params.file}' ${unread(params.format)}`;
     case 'ending':
+      // Readers see by its contents whether a file is theirs.
+      if (readByContents.includes(params.ending)) {
+        return `the file is named .${params.ending}, but does not begin like one: it is damaged, or of another kind; get it once more, or save it again`;
+      }
       return params.ending in models
         ? `the file, by its ending, ${unread(params.ending)}`
         : `files that end in '.${params.ending}' are not read; ${readFormats}`;

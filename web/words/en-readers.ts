@@ -1,4 +1,4 @@
-/** English phrases for what is told of archives, glTF and 3MF files. */
+/** English phrases for what is told of archives and of glTF, 3MF and Pepakura files. */
 import type { Messages, Table } from './messages.js';
 import { all, choose, count, figure, shown, some } from './numbers.js';
 
@@ -70,6 +70,24 @@ function bad3mf(params: Messages['bad-3mf']): string {
   }
 }
 
+function badPdo(params: Messages['bad-pdo']): string {
+  const file = shown(params.file);
+  switch (params.what) {
+    case 'locked':
+      return `'${file}' is locked by the person who made it; ask that person for a file without a lock`;
+    case 'hidden':
+      return `in '${file}' all bodies are switched off; switch one on in Pepakura Designer, and save it again`;
+    case 'no-faces':
+      return `'${file}' is a Pepakura file without a face that could be folded; ${again}`;
+    case 'old':
+      return `'${file}' is of the first Pepakura Designer, and files of Pepakura Designer 2 to 6 are read; open it in one of these, and save it again`;
+    case 'version':
+      return `'${file}' is of a version of Pepakura that is not known here (${figure(params.version)}); save it for Pepakura Designer 2 to 6, or as OBJ`;
+    case 'damaged':
+      return `'${file}' is damaged or cut off (byte ${figure(params.at)}); get the file once more, or save it again in Pepakura Designer`;
+  }
+}
+
 /** Those kinds that there are: "3 animations and 2 cameras". */
 function kinds(counts: readonly (readonly [number, string, string?])[]): string {
   const found = counts.filter(([number]) => number > 0);
@@ -85,7 +103,7 @@ function missingLooks({ what, files }: Messages['missing-looks']): string {
       : `${choose(files.length, 'the file', 'the files')} with the model's colours and pictures, ${names},`;
   return (
     `${those} ${is} missing, so those faces stay plain; ` +
-    `choose ${them} together with the model, or choose the whole folder`
+    `choose ${them} as well, or choose the whole folder`
   );
 }
 
@@ -99,13 +117,36 @@ function unreadPictures({ files, kinds }: Messages['unread-pictures']): string {
   return `${some(files)} ${what}; save ${saved} as PNG or JPEG, and name ${saved} so in the model`;
 }
 
+const lostNets = {
+  none: 'the file brings no nets of its own',
+  simplified: 'the nets of the file do not fit a model with other triangles',
+  repaired: 'the nets of the file could not be kept, as its faces had to be repaired',
+  flat: 'the nets of the file could not be kept, as they run through flat faces',
+} as const;
+
+function keptNets({ pieces, uncut, size }: Messages['file-nets-kept']): string {
+  const words = [
+    pieces === 1
+      ? 'the net of the file was kept'
+      : `the ${figure(pieces)} nets of the file were kept`,
+  ];
+  if (size === 'file') words.push('at the size of the file');
+  if (uncut > 0) {
+    words.push(
+      `but ${count(uncut, 'cut')} within flat faces ${choose(uncut, 'was', 'were')} left out`,
+    );
+  }
+  return words.join(', ');
+}
+
 export const readerMessages = {
   'bad-3mf': bad3mf,
   'bad-archive': badArchive,
   'bad-gltf': badGltf,
+  'bad-pdo': badPdo,
   'missing-files': ({ file, missing }) =>
     `'${shown(file)}' needs ${some(missing)}, which ${choose(missing.length, 'is', 'are')} missing; ` +
-    `choose ${choose(missing.length, 'it', 'them')} together with the model, or choose the whole folder`,
+    `choose ${choose(missing.length, 'it', 'them')} as well, or choose the whole folder`,
   'no-model-in-archive': ({ file, files }) =>
     files.length === 0
       ? `there is nothing in the archive '${shown(file)}'`
@@ -116,6 +157,10 @@ export const readerMessages = {
     `the model has more than ${figure(most)} triangles, which is more than can be read; ` +
     'simplify it in the program that made it',
 
+  'broken-faces': ({ count: number }) =>
+    `${count(number, 'face')} left out: ${choose(number, 'it lacks', 'they lack')} corners, or ${choose(number, 'names', 'name')} vertices that are not in the file`,
+  'damaged-extras': () =>
+    'behind its shape the file is damaged: some colours, pictures and the nets of the file are lost; save it again in Pepakura Designer',
   'damaged-looks': () =>
     'the colours and pictures in the file are damaged: only its shape was read; export it again',
   'large-pictures': ({ files, most, most_mb, most_pixels }) =>
@@ -147,6 +192,16 @@ export const readerMessages = {
       [modifiers, 'modifier'],
       [negatives, 'negative part'],
       [unprinted, 'object that is switched off', 'objects that are switched off'],
+    ])}`,
+  'file-nets-kept': keptNets,
+  'file-nets-lost': ({ what }) => `${lostNets[what]}, so new ones were made`,
+  'file-nets-unused': ({ pieces }) =>
+    `the file brings ${count(pieces, 'net')} of its own; new ones were made; to keep ${choose(pieces, 'it', 'them')}, choose that when the model is checked (--nets file)`,
+  'pdo-unused': ({ hidden, texts, images }) =>
+    `not used: ${kinds([
+      [hidden, 'body that is switched off', 'bodies that are switched off'],
+      [texts, 'text on the sheets', 'texts on the sheets'],
+      [images, 'picture on the sheets', 'pictures on the sheets'],
     ])}`,
   'posed-skins': ({ count: number }) =>
     `${count(number, 'mesh', 'meshes')} with a skeleton ${choose(number, 'stands', 'stand')} in the pose that the file begins with`,

@@ -186,16 +186,26 @@ export type ThreeMfFault =
   | { what: 'xml'; part: string; line: number }
   | { what: 'word'; part: string; line: number; word: string };
 
+/** Why a Pepakura file gives no model. */
+export type PdoFault =
+  | { what: 'locked' | 'hidden' | 'no-faces' | 'old' }
+  | { what: 'version'; version: number }
+  /** At which byte. */
+  | { what: 'damaged'; at: number };
+
 /** Parameters by the codes of what is found in TypeScript. */
 export interface OwnMessages {
   'bad-3mf': { file: string } & ThreeMfFault;
   'bad-archive': { file: string } & ArchiveFault;
   'bad-gltf': { file: string } & GltfFault;
+  'bad-pdo': { file: string } & PdoFault;
   'missing-files': { file: string; missing: string[] };
   'reader-not-loaded': None;
   'no-model-in-archive': { file: string; files: string[] };
   'too-many-triangles': { most: number };
 
+  'broken-faces': Counted;
+  'damaged-extras': None;
   'damaged-looks': None;
   'large-pictures': { files: string[]; most: number; most_mb: number; most_pixels: number };
   'lost-looks': Counted;
@@ -208,6 +218,10 @@ export interface OwnMessages {
 
   'archive-choice': { file: string; others: string[] };
   'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };
+  'file-nets-kept': { pieces: number; uncut: number; size: 'file' | 'other' };
+  'file-nets-lost': { what: 'none' | 'simplified' | 'repaired' | 'flat' };
+  'file-nets-unused': { pieces: number };
+  'pdo-unused': { hidden: number; texts: number; images: number };
   'posed-skins': Counted;
   'unknown-extensions': { names: string[] };
   'unused-content': {

@@ -3,8 +3,10 @@ import type { Looks } from '../../model/looks.js';
 import type { ModelFile } from '../../model/model-files.js';
 import { startRenderer } from '../renderer.js';
 import type { RendererLoader } from '../renderer-loader.js';
+import { pictureHeader } from '../../model/picture-header.js';
 import { checkPicture, decodePicture, type PictureFault } from './decode-picture.js';
 import type { Raster } from './raster.js';
+import { startWebp } from './webp.js';
 
 /** Of all pictures together: three bytes each, and a third more for smaller copies. */
 const mostPixels = 2 ** 27;
@@ -31,8 +33,8 @@ class Decoding {
   private pixels = 0;
   private readonly faults = new Map<PictureFault, string[]>();
 
-  decode({ name, bytes }: ModelFile): Raster | null {
-    const found = this.tryToDecode(bytes);
+  async decode({ name, bytes }: ModelFile): Promise<Raster | null> {
+    const found = await this.tryToDecode(bytes);
     if (typeof found !== 'string') return found;
     this.faults.set(found, [...(this.faults.get(found) ?? []), name]);
     return null;
@@ -45,12 +47,12 @@ class Decoding {
     }));
   }
 
-  private tryToDecode(bytes: Uint8Array): Raster | PictureFault {
+  private async tryToDecode(bytes: Uint8Array): Promise<Raster | PictureFault> {
     const header = checkPicture(bytes);
     if (typeof header === 'string') return header;
     this.pixels += header.width * header.height;
     if (this.pixels > mostPixels) return 'large';
-    return decodePicture(header, bytes) ?? 'damaged';
+    return (await decodePicture(header, bytes)) ?? 'damaged';
   }
 }
 
@@ -70,6 +72,16 @@ function areSame(some: readonly (ModelFile | null)[], others: typeof some): bool
  */
 let last: { files: readonly (ModelFile | null)[]; loaded: LoadedPictures } | null = null;
 
+async function startDecoders(
+  files: readonly (ModelFile | null)[],
+  loadRenderer: RendererLoader,
+): Promise<void> {
+  await startRenderer(loadRenderer);
+  // Few models have pictures of that kind.
+  const hasWebp = files.some((file) => file && pictureHeader(file.bytes)?.kind === 'webp');
+  if (hasWebp) await startWebp(loadRenderer);
+}
+
 /** Decodes the pictures that faces show. Those that cannot be had are told in the notices. */
 export async function loadPictures(
   looks: Looks,
@@ -81,13 +93,14 @@ export async function loadPictures(
   if (used.size === 0) return { pictures: none, notices: [] };
   if (last && areSame(files, last.files)) return last.loaded;
   try {
-    await startRenderer(loadRenderer);
+    await startDecoders(files, loadRenderer);
   } catch {
     // Sheets in plain colours are better than none.
     return { pictures: none, notices: [{ code: 'pictures-not-loaded', params: {} }] };
   }
   const decoding = new Decoding();
-  const pictures = files.map((file) => file && decoding.decode(file));
+  const pictures: (Raster | null)[] = [];
+  for (const file of files) pictures.push(file && (await decoding.decode(file)));
   last = { files, loaded: { pictures, notices: decoding.notices } };
   return last.loaded;
 }

@@ -1,13 +1,10 @@
 import { zlibSync } from 'fflate';
-import { pngChunk } from '../png-chunk.js';
+import { pngAround, type PngSize } from '../../model/png-file.js';
 
 /** Colours in rows from above. */
-export interface ColourRows {
-  width: number;
-  height: number;
+export interface ColourRows extends PngSize {
   /** `channels` per dot. */
   values: Uint8Array;
-  channels: 3 | 4;
 }
 
 /** Whichever of left and above, and left above both, is nearest to what they would be on a slope. */
@@ -83,29 +80,7 @@ export function packedRows(rows: ColourRows): Uint8Array {
   return zlibSync(filtered);
 }
 
-function header({ width, height, channels }: ColourRows): Uint8Array {
-  const data = new Uint8Array(13);
-  const view = new DataView(data.buffer);
-  view.setUint32(0, width);
-  view.setUint32(4, height);
-  data[8] = 8; // bits per value
-  data[9] = channels === 4 ? 6 : 2; // colours with or without transparency
-  return data;
-}
-
 /** A PNG file; the same colours give the same bytes. */
 export function pngFile(rows: ColourRows): Uint8Array {
-  const parts = [
-    Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a),
-    pngChunk('IHDR', header(rows)),
-    pngChunk('IDAT', packedRows(rows)),
-    pngChunk('IEND', new Uint8Array()),
-  ];
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
+  return pngAround(rows, packedRows(rows));
 }

@@ -1,0 +1,50 @@
+/**
+ * BMP files of 7 x 5 pixels, as the library of Java writes them: bits per pixel and kind of packing, and the file in
+ * base 64.
+ */
+export const bmpFiles: readonly (readonly [string, string])[] = [
+  [
+    '24',
+    'Qk2uAAAAAAAAADYAAAAoAAAABwAAAAUAAAABABgAAAAAAHgAAAAAAAAAAAAAAAAAAAAAAAAAVjQSVjQS////////AAAAAAAAgICAAAAAAP8AAP8A/wAA/wAAAP//AP//VjQSAAAAAAAAAAAAgICAgICAAAD/AAD/AP8AAAAAAP//AP//VjQSVjQS////////AAAAAAAAAAD/AAD/AP8AAP8A/wAA/wAAAP//AAAA',
+  ],
+  [
+    '24 from above',
+    'Qk2uAAAAAAAAADYAAAAoAAAABwAAAPv///8BABgAAAAAAHgAAAAAAAAAAAAAAAAAAAAAAAAAAAD/AAD/AP8AAP8A/wAA/wAAAP//AAAAAP//AP//VjQSVjQS////////AAAAAAAAAAAAAAAAgICAgICAAAD/AAD/AP8AAAAAAP8AAP8A/wAA/wAAAP//AP//VjQSAAAAVjQSVjQS////////AAAAAAAAgICAAAAA',
+  ],
+  [
+    '16 masks',
+    'Qk2SAAAAAAAAAEIAAAAoAAAABwAAAAUAAAABABAAAwAAAFAAAAAAAAAAAAAAAAAAAAADAAAAAPgAAOAHAAAfAAAAqhGqEf////8AAAAAEIQAAOAH4AcfAB8A4P/g/6oRAAAAAAAAEIQQhAD4APjgBwAA4P/g/6oRqhH/////AAAAAAD4APjgB+AHHwAfAOD/AAA=',
+  ],
+  [
+    '16',
+    'Qk2GAAAAAAAAADYAAAAoAAAABwAAAAUAAAABABAAAAAAAFAAAAAAAAAAAAAAAAAAAAAAAAAAygjKCP9//38AAAAAEEIAAOAD4AMfAB8A4H/gf8oIAAAAAAAAEEIQQgB8AHzgAwAA4H/gf8oIygj/f/9/AAAAAAB8AHzgA+ADHwAfAOB/AAA=',
+  ],
+  [
+    '8',
+    'Qk2uAAAAAAAAAIYAAAAoAAAABwAAAAUAAAABAAgAAAAAACgAAAAAAAAAAAAAAAAAAAAUAAAAAAD//wD/AP//AAD/AP///1Y0Ev//////AAAA/4CAgP8AAP//AP8A//8AAP8A////VjQS//////8AAAD/gICA/wAA//8A/wD//wAA/wD///8EBAUFBgYHAAEBAgIDAwQABgYHBwAAAQADAwQEBQUGAAAAAQECAgMA',
+  ],
+  [
+    '8 runs',
+    'Qk26AAAAAAAAAIYAAAAoAAAABwAAAAUAAAABAAgAAQAAADQAAAAAAAAAAAAAAAAAAAAUAAAAAAD//wD/AP//AAD/AP///1Y0Ev//////AAAA/4CAgP8AAP//AP8A//8AAP8A////VjQS//////8AAAD/gICA/wAA//8A/wD//wAA/wD///8CBAIFAgYBBwAAAgECAgIDAQQAAAIGAgcCAAEBAAACAwIEAgUBBgAAAgACAQICAQMAAAAB',
+  ],
+  [
+    '4',
+    'Qk1qAAAAAAAAAFYAAAAoAAAABwAAAAUAAAABAAQAAAAAABQAAAAAAAAAAAAAAAAAAAAIAAAAAAD//wD/AP//AAD/AP///1Y0Ev//////AAAA/4CAgP9EVWZwESIzQGZ3ABAzRFVgABEiMA==',
+  ],
+  [
+    '1',
+    'Qk1SAAAAAAAAAD4AAAAoAAAABwAAAAUAAAABAAEAAAAAABQAAAAAAAAAAAAAAAAAAAACAAAAAAD//wD/AP8yAAAAzAAAADIAAADMAAAAMgAAAA==',
+  ],
+];
+
+const colours = [0xff0000, 0x00ff00, 0x0000ff, 0xffff00, 0x123456, 0xffffff, 0, 0x808080];
+
+/** What they show: 3 numbers per pixel, from above. Those of one bit have the first two of the colours only. */
+export function pixelsOf(depth: number): number[] {
+  return Array.from({ length: 35 }, (_, pixel) => {
+    const [x, y] = [pixel % 7, Math.floor(pixel / 7)];
+    const number = ((x >> 1) + 3 * y) % 8;
+    const colour = colours[depth === 1 ? number % 2 : number]!;
+    return [colour >> 16, (colour >> 8) & 255, colour & 255];
+  }).flat();
+}
