@@ -1,6 +1,7 @@
 import type { Model, Piece } from '../model/job.js';
 import type { Looks } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
+import type { Vector } from '../model/vector.js';
 
 /** A turn by hand around the model. */
 export interface Turn {
@@ -35,6 +36,11 @@ export type ModelMessage =
   | { type: 'labels'; labels: Int32Array }
   /** Parts that stand out; all others fade, unless there are none. */
   | { type: 'selected'; parts: readonly number[] }
+  /**
+   * Edges that are lit in place of those before: 2 vertices of the model each, as the face walks them whose side is
+   * meant. `from`: a direction from which the model is looked at then, as long as it is whole.
+   */
+  | { type: 'lights'; edges: Int32Array; from: Vector | null }
   /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
   | { type: 'point'; x: number; y: number }
   /** Whether hatches tell the parts apart, besides colours. */

@@ -11,6 +11,7 @@ import type { PictureSize } from './picture-size.js';
 import type { CanvasMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
+import { ModelLights } from './model-lights.js';
 import { ModelLooks } from './model-looks.js';
 import { ModelMesh } from './model-mesh.js';
 import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
@@ -29,6 +30,7 @@ export class ModelScene {
   private readonly camera = new PerspectiveCamera();
   private readonly orbit = new Orbit(this.camera);
   private readonly mesh = new ModelMesh();
+  private readonly lights = new ModelLights();
   private readonly redraw = new Redraw(() => this.draw());
   private readonly looks = new ModelLooks(this.mesh, () => this.redraw.request());
   private folding: Folding | null = null;
@@ -60,7 +62,7 @@ export class ModelScene {
     // The light stays at the beholder's shoulder, so that no side is ever dark.
     this.camera.add(sun, sun.target);
     this.scene.add(this.camera, new HemisphereLight('#ffffff', '#b8a98c', 1.5));
-    this.scene.add(this.mesh.group);
+    this.scene.add(this.mesh.group, this.lights.group);
     // Now, so that the first model does not have to wait for it.
     this.renderer.compile(this.scene, this.camera);
     canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
@@ -76,6 +78,9 @@ export class ModelScene {
         break;
       case 'selected':
         this.mesh.select(message.parts);
+        break;
+      case 'lights':
+        this.light(message);
         break;
       case 'point':
         this.pick(message.x, message.y);
@@ -123,9 +128,17 @@ export class ModelScene {
   private show({ vertices, faces, keepsView }: Extract<ModelMessage, { type: 'model' }>): void {
     this.looks.show(null);
     this.mesh.show(vertices, faces);
+    this.lights.take(faces);
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
     if (!keepsView) this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
+  }
+
+  private light({ edges, from }: Extract<ModelMessage, { type: 'lights' }>): void {
+    this.lights.show(edges);
+    if (!from || this.wantedTime < 1) return;
+    this.turning = false;
+    this.orbit.look(from);
   }
 
   private pick(x: number, y: number): void {
@@ -182,6 +195,7 @@ export class ModelScene {
     if (!this.visible) return;
     this.fold();
     this.looks.update(this.time === 1);
+    this.lights.place(this.mesh.positions, this.time === 1);
     this.renderer.render(this.scene, this.camera);
   }
 }
