@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { edgeEdits, flapPlace } from '../../web/model/edge-edits.js';
+import { edgeEdits, flapPlace, lockOf } from '../../web/model/edge-edits.js';
 import { printedText, SheetEdges } from '../../web/model/sheet-edges.js';
 import { addFlap } from './changed-result.js';
 import { engineResult } from './engine-result.js';
@@ -101,7 +101,27 @@ describe('what can be done at an edge', () => {
     expect(edgeEdits(edges, border).size).toBe(0);
     const box = new SheetEdges(cubeResult());
     const fold = box.all.find(({ kind }) => kind === 'mountain')!;
-    expect([...edgeEdits(box, fold)]).toEqual([['cut', { kind: 'cut', edge: fold.name }]]);
+    const lock = (as: string) => ({ kind: 'lock', edge: fold.name, as });
+    expect([...edgeEdits(box, fold)]).toEqual([
+      ['cut', { kind: 'cut', edge: fold.name }],
+      ['lock-fold', lock('fold')],
+      ['lock-cut', lock('cut')],
+    ]);
+  });
+
+  it('is not what its lock forbids', () => {
+    const edges = new SheetEdges(boxAndLidResult());
+    const fold = edges.all.find(({ kind }) => kind === 'mountain')!;
+    const cut = edges.all.find(({ kind }) => kind === 'cut')!;
+    const [v, w] = fold.name;
+    expect(lockOf(fold, [])).toBe('free');
+    expect(lockOf(fold, [{ from: w, to: v, as: 'fold' }])).toBe('fold');
+    expect([...edgeEdits(edges, fold, 'fold').keys()]).toEqual(['lock-cut', 'lock-free']);
+    const actions = [...edgeEdits(edges, cut, 'cut').keys()];
+    expect(actions).not.toContain('join');
+    expect(actions).toEqual(expect.arrayContaining(['both-flaps', 'lock-fold', 'lock-free']));
+    const free = { kind: 'lock', edge: cut.name, as: 'free' };
+    expect(edgeEdits(edges, cut, 'cut').get('lock-free')).toEqual(free);
   });
 
   it('turns the flap away from where it is', () => {
@@ -121,7 +141,8 @@ describe('what can be done at an edge', () => {
   it('has no flap to turn or to take away where there is none', () => {
     const edges = new SheetEdges(cubeResult());
     const cut = edges.all.find(({ kind }) => kind === 'cut')!;
-    expect([...edgeEdits(edges, cut).keys()]).toEqual(['join', 'both-flaps', 'usual-flap']);
+    const flaps = [...edgeEdits(edges, cut).keys()].filter((action) => !action.includes('lock'));
+    expect(flaps).toEqual(['join', 'both-flaps', 'usual-flap']);
   });
 });
 

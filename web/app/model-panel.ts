@@ -1,4 +1,5 @@
 import type { JobResult, Piece } from '../model/job.js';
+import type { Vector } from '../model/vector.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import { modelView } from '../view/model-view.js';
 import { FoldingPanel } from './folding-panel.js';
@@ -84,6 +85,11 @@ export class ModelPanel extends Panel {
   /** Colours the faces by their parts. */
   paint(labels: Int32Array): void {
     this.view.post({ type: 'labels', labels });
+  }
+
+  /** Lights edges, and looks at the model from a direction unless that is null. */
+  light(edges: Int32Array, from: Vector | null): void {
+    this.view.post({ type: 'lights', edges, from });
   }
 
   /** Lets parts stand out from all others, unless there are none. */

@@ -1,11 +1,17 @@
 import type { Notice } from '../model/job.js';
-import { resultNotices } from '../model/result-notices.js';
+import { otherNotices, resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
 import { changedSettings, isSameLook, lookOptions, type Options } from '../api/written-options.js';
 import type { FinishedRun } from './finished-run.js';
-import { leadSentence, noticeRemarks, repairRemarks, resultFacts } from './result-words.js';
+import {
+  hopeless,
+  leadSentence,
+  noticeRemarks,
+  repairRemarks,
+  resultFacts,
+} from './result-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PrintPanel } from './print-panel.js';
@@ -122,6 +128,8 @@ export class ResultPanel extends Panel {
     this.sheets.show(sheets, result, renamed);
     this.title.textContent = stem(model.name);
     this.lead.textContent = leadSentence(result, settings.paper);
+    // What cannot be built has its verdict instead.
+    this.lead.hidden = hopeless(result, settings.margin) !== null;
     this.facts.replaceChildren(
       ...resultFacts(result, settings.margin).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
@@ -155,7 +163,7 @@ export class ResultPanel extends Panel {
 
   /** The report in words. */
   private showRemarks({ result, settings }: FinishedRun, printed: readonly Notice[]): void {
-    const notices = resultNotices(result, settings.margin, printed);
+    const notices = otherNotices(resultNotices(result, settings.margin, printed));
     const remarks = [
       ...remarkList('Repaired before unfolding', repairRemarks(result)),
       ...remarkList('Worth knowing', noticeRemarks(notices)),

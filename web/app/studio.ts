@@ -4,6 +4,7 @@ import { loadRenderer } from '../browser/renderer-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import { remedyEdits, type Remedy } from '../model/remedies.js';
 import { changedSettings, type Options } from '../api/written-options.js';
 import { missingSupport } from './browser-support.js';
 import { Checking } from './checking.js';
@@ -23,9 +24,10 @@ import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
+import { PaperFollower } from './paper-follower.js';
 import { ProgressPanel } from './progress-panel.js';
 import { type DrawnRun, ResultPanel } from './result-panel.js';
-import { leadSentence } from './result-words.js';
+import { hopeless, leadSentence } from './result-words.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
@@ -33,6 +35,7 @@ import { StepsPanel } from './steps-panel.js';
 import { Store } from './store.js';
 import type { Drawing } from './store-needs.js';
 import { listenForUndo } from './undo-keys.js';
+import { VerdictPanel } from './verdict-panel.js';
 import { Workshop } from './workshop.js';
 
 /** Ms after the studio is complete: its pictures shall be there first. */
@@ -55,7 +58,8 @@ const notes: Readonly<Partial<Record<Ending['type'], string>>> = {
   undrawn: 'The nets were found, but not drawn.',
 };
 
-const leadOf = ({ result, settings }: FinishedRun): string => leadSentence(result, settings.paper);
+const leadOf = ({ result, settings: { margin, paper } }: FinishedRun): string =>
+  hopeless(result, margin) ?? leadSentence(result, paper);
 
 export interface StudioListener {
   /** The studio is complete, and begins to load what a run needs. */
@@ -70,6 +74,7 @@ export class Studio extends Panel {
   private readonly message = new MessagePanel(this.place);
   private readonly form = new OptionsForm(this.place, () => void this.submit());
   private readonly settings = new PendingSettings(this.place);
+  private readonly follower = new PaperFollower(this.form, this.settings);
   private readonly gallery = new SampleGallery(this.place, (model) => {
     void this.choose(model);
   });
@@ -80,6 +85,7 @@ export class Studio extends Panel {
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly edges: EdgeTool;
+  private readonly verdict: VerdictPanel;
   private readonly welcome = this.find('#welcome', HTMLElement);
   /** Whether this browser can run it. */
   private isOpen = false;
@@ -100,8 +106,14 @@ export class Studio extends Panel {
     });
     this.edges = new EdgeTool(place, this.store, {
       light: (lights) => sheets.light(lights),
+      lock: (signs) => sheets.lock(signs),
+      lightModel: (lit, from) => this.workshop.light(lit, from),
       reveal: (sheet) => sheets.reveal(sheet),
       change: (edit) => this.edit(this.store.apply([edit]), (run) => `Done: ${leadOf(run)}`),
+    });
+    this.verdict = new VerdictPanel(place, this.store, {
+      show: (finding) => this.edges.walkThrough(finding),
+      mend: (remedy) => this.mend(remedy),
     });
     this.workshop = new Workshop(place, pick);
     this.checking = new Checking(place, this.store, this.form, this.workshop);
@@ -269,16 +281,28 @@ export class Studio extends Panel {
   }
 
   /** Another run may have used the panels of the result that is on the page. */
-  private comeBack({ pictures, result, fields }: FinishedRun): void {
+  private comeBack(run: FinishedRun): void {
+    const { pictures, result } = run;
     if (!this.workshop.shows(pictures)) {
       this.workshop.finish(pictures, result);
       this.workshop.select(this.store.selection);
     }
-    this.settings.compareWith(fields);
+    this.follower.follow(run);
   }
 
-  private async change(edits: readonly DocumentEdit[]): Promise<void> {
-    const ending = await this.edit(this.store.apply(edits), (run) => `Done: ${leadOf(run)}`);
+  /** Does what helps; what takes a new search is left to the person, in the form. */
+  private mend(remedy: Remedy): void {
+    const edits = remedyEdits(remedy);
+    if (edits) void this.change(edits, this.verdict.progress);
+    else if (remedy.kind === 'faces') {
+      this.form.faces.set(remedy.faces);
+      this.settings.reveal();
+    }
+  }
+
+  private async change(edits: readonly DocumentEdit[], progress?: HTMLElement): Promise<void> {
+    const done = (run: FinishedRun): string => `Done: ${leadOf(run)}`;
+    const ending = await this.edit(this.store.apply(edits), done, progress);
     if (ending.type === 'refused') this.tellUnchanged(ending.refusal.params.text);
   }
 
@@ -307,11 +331,15 @@ export class Studio extends Panel {
   }
 
   /** Follows a change of the result to its end, and tells it. */
-  private async edit(change: Promise<Ending>, done: (run: FinishedRun) => string): Promise<Ending> {
+  private async edit(
+    change: Promise<Ending>,
+    done: (run: FinishedRun) => string,
+    progress = this.parts.progress,
+  ): Promise<Ending> {
     this.message.clear();
     const begin = (): void => {
       const { run, work } = this.store;
-      if (run && work === 'editing') this.progress.begin(run.model.name, this.parts.progress);
+      if (run && work === 'editing') this.progress.begin(run.model.name, progress);
     };
     const late = setTimeout(begin, editPatience);
     const ending = await change;
@@ -340,13 +368,14 @@ export class Studio extends Panel {
   }
 
   private show(drawn: DrawnRun, isRenaming: boolean): void {
-    const { result, pictures, fields } = drawn.run;
+    const { result, pictures } = drawn.run;
     this.result.show(drawn, isRenaming);
     if (isRenaming) this.workshop.rename(result.pieces);
     else this.workshop.finish(pictures, result);
-    this.settings.compareWith(fields);
+    this.follower.follow(drawn.run);
+    this.verdict.offer(drawn.run);
     this.parts.offer(result, isRenaming);
-    this.edges.offer(result);
+    this.edges.offer(drawn.run);
   }
 
   private tellUnchanged(reason: string): void {

@@ -1,4 +1,5 @@
 import type { JobEvent, JobResult, Piece } from '../model/job.js';
+import type { Vector } from '../model/vector.js';
 import { ChartPanel } from './chart-panel.js';
 import { MatrixPanel } from './matrix-panel.js';
 import { ModelPanel } from './model-panel.js';
@@ -140,6 +141,11 @@ export class Workshop extends Panel {
   /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
   fold(time: number): void {
     this.model.fold(time);
+  }
+
+  /** Lights edges of the model, and looks at it from a direction unless that is null. */
+  light(edges: Int32Array, from: Vector | null): void {
+    this.model.light(edges, from);
   }
 
   /** Lets parts of the finished model stand out from all others, unless there are none. */

@@ -1,8 +1,18 @@
-import type { DocumentEdit, FlapChoiceSide } from './document-edits.js';
+import type { DocumentEdit, FlapChoiceSide, LockKind } from './document-edits.js';
+import type { EdgeLock } from './job-options.js';
 import type { SheetEdge, SheetEdges } from './sheet-edges.js';
 
 /** What can be done at an edge. */
-export type EdgeAction = 'cut' | 'join' | 'turn-flap' | 'both-flaps' | 'no-flap' | 'usual-flap';
+export type EdgeAction =
+  | 'cut'
+  | 'join'
+  | 'turn-flap'
+  | 'both-flaps'
+  | 'no-flap'
+  | 'usual-flap'
+  | 'lock-fold'
+  | 'lock-cut'
+  | 'lock-free';
 
 /** Where the flaps of a cut are, seen from one of its sides. */
 export type FlapPlace = 'here' | 'there' | 'both' | 'none';
@@ -15,18 +25,42 @@ export function flapPlace(edges: SheetEdges, edge: SheetEdge): FlapPlace {
   return there ? 'there' : 'none';
 }
 
-/** The edits for all that can be done at an edge now; an edge at which the model ends has none. */
-export function edgeEdits(edges: SheetEdges, edge: SheetEdge): Map<EdgeAction, DocumentEdit> {
+/** What an edge is locked as. */
+export function lockOf({ name: [v, w] }: SheetEdge, locks: readonly EdgeLock[]): LockKind {
+  const own = locks.find(({ from, to }) => (from === v && to === w) || (from === w && to === v));
+  return own?.as ?? 'free';
+}
+
+type Edits = Map<EdgeAction, DocumentEdit>;
+
+function addLocks(edits: Edits, { name: edge }: SheetEdge, now: LockKind): Edits {
+  for (const as of ['fold', 'cut', 'free'] as const) {
+    if (as !== now) edits.set(`lock-${as}`, { kind: 'lock', edge, as });
+  }
+  return edits;
+}
+
+/**
+ * The edits for all that can be done at an edge now; an edge at which the model ends has none.
+ *
+ * @param lock what the edge is locked as: it stays so whatever else is asked for
+ */
+export function edgeEdits(edges: SheetEdges, edge: SheetEdge, lock: LockKind = 'free'): Edits {
   const { kind, name } = edge;
-  if (kind === 'border') return new Map();
-  if (kind !== 'cut') return new Map([['cut', { kind: 'cut', edge: name }]]);
+  const edits: Edits = new Map();
+  if (kind === 'border') return edits;
+  if (kind !== 'cut') {
+    if (lock === 'free') edits.set('cut', { kind: 'cut', edge: name });
+    return addLocks(edits, edge, lock);
+  }
   const flap = (side: FlapChoiceSide): DocumentEdit => ({ kind: 'flap', edge: name, side });
   const place = flapPlace(edges, edge);
-  const edits = new Map<EdgeAction, DocumentEdit>([['join', { kind: 'join', edge: name }]]);
+  if (lock === 'free') edits.set('join', { kind: 'join', edge: name });
   // The piece of this side lies at the left of the edge, which is the first one.
   if (place === 'here') edits.set('turn-flap', flap('second'));
   if (place === 'there') edits.set('turn-flap', flap('first'));
   if (place !== 'both') edits.set('both-flaps', flap('both'));
   if (place !== 'none') edits.set('no-flap', flap('none'));
-  return edits.set('usual-flap', flap('auto'));
+  edits.set('usual-flap', flap('auto'));
+  return addLocks(edits, edge, lock);
 }
