@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { edgeWords, outcomeWords } from '../../web/app/edge-words.js';
+import { edgeWords, giftWords, outcomeWords } from '../../web/app/edge-words.js';
 import { editWords } from '../../web/app/edit-words.js';
 import type { FlapChoiceSide, LockKind } from '../../web/model/document-edits.js';
 import { SheetEdges, type SheetEdge } from '../../web/model/sheet-edges.js';
@@ -56,6 +56,13 @@ describe('edits at edges in the history', () => {
     expect(lock('fold', fold)).toBe('never cut in A');
     expect(lock('cut', between)).toBe(`always cut at ${number}`);
     expect(lock('free', fold)).toBe('lock taken away in A');
+  });
+
+  it('say what faces are given to', () => {
+    expect(editWords([{ kind: 'assign', faces: [1, 2], part: 2 }], result)).toBe(
+      'faces given to part 2',
+    );
+    expect(giftWords(edges, between)).toBe('Give this face to B');
   });
 
   it('have words also for edges that are on no sheet', () => {

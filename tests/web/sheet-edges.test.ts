@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { edgeEdits, flapPlace, lockOf } from '../../web/model/edge-edits.js';
 import { printedText, SheetEdges } from '../../web/model/sheet-edges.js';
 import { addFlap } from './changed-result.js';
@@ -6,6 +7,8 @@ import { engineResult } from './engine-result.js';
 import { boxAndLidResult, cubeResult, slitResult } from './fixtures.js';
 import { objText, wavyRing } from './model-text.js';
 import { isEngineBuilt } from './thread-pool.js';
+
+type Gift = Extract<DocumentEdit, { kind: 'assign' }>;
 
 const middle = ({ from, to }: { from: readonly number[]; to: readonly number[] }) =>
   [(from[0]! + to[0]!) / 2, (from[1]! + to[1]!) / 2] as const;
@@ -107,6 +110,24 @@ describe('what can be done at an edge', () => {
       ['lock-fold', lock('fold')],
       ['lock-cut', lock('cut')],
     ]);
+  });
+
+  it('hands the face at its side over to the part at the other side', () => {
+    const edges = new SheetEdges(boxAndLidResult());
+    const { pieces, model } = edges.result;
+    const between = edges.all.filter(({ seam }) => seam && seam.pieces[0] !== seam.pieces[1]);
+    for (const edge of between) {
+      const gift = edgeEdits(edges, edge).get('give-face') as Gift;
+      const other = pieces[edges.partnerOf(edge)!.piece]!;
+      expect(gift).toMatchObject({ kind: 'assign', part: other.part + 1 });
+      const [face] = gift.faces;
+      expect(pieces[edge.piece]!.sources).toContain(face);
+      const corners = model.faces.subarray(3 * face!, 3 * face! + 3);
+      expect([...corners]).toEqual(expect.arrayContaining([...edge.name]));
+      expect([...edgeEdits(edges, edge, 'cut').keys()]).not.toContain('give-face');
+    }
+    const within = edges.all.find(({ seam }) => seam && seam.pieces[0] === seam.pieces[1])!;
+    expect([...edgeEdits(edges, within).keys()]).not.toContain('give-face');
   });
 
   it('is not what its lock forbids', () => {

@@ -12,6 +12,8 @@ export interface EdgeCardContent {
   actions: readonly EdgeAction[];
   /** Whether that has to wait. */
   busy: boolean;
+  /** What the button says that hands a face over. */
+  gift: string;
   /** What came of the last change, or why it was not made. */
   outcome: string;
   /** What the walk through several places is about, and where it is; null outside of one. */
@@ -30,6 +32,7 @@ export class EdgeCard extends Panel {
   private readonly card = this.find('#edge-card', HTMLElement);
   private readonly words = this.find('#edge-words', HTMLElement);
   private readonly outcome = this.find('#edge-outcome', HTMLElement);
+  private readonly gift = this.find('#edge-gift', HTMLButtonElement);
   private readonly walk = this.find('#edge-walk', HTMLElement);
   private readonly walkWords = this.find('#edge-walk-words', HTMLElement);
   private readonly walkButtons = [...this.walk.querySelectorAll<HTMLButtonElement>('[data-walk]')];
@@ -71,6 +74,7 @@ export class EdgeCard extends Panel {
     const { hasFocus } = this;
     this.words.textContent = content.words;
     this.outcome.textContent = content.outcome;
+    this.gift.textContent = content.gift;
     this.walk.hidden = content.walk === null;
     this.walkWords.textContent = content.walk?.words ?? '';
     for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;

@@ -20,6 +20,7 @@ import {
 import {
   edgeWords,
   flapWords,
+  giftWords,
   lockWords,
   outcomeWords,
   pieceWords,
@@ -36,6 +37,9 @@ import type { Store } from './store.js';
 
 /** How near the pointer must be to an edge: in mm, but at least in pixels, and that far also from short edges. */
 const reach = { mm: 3, pixels: 6, leastPixels: 2 };
+
+/** Of a card that only tells something. */
+const nothing = { actions: [], busy: false, gift: '', outcome: '', walk: null };
 
 export interface EdgeToolListener {
   /** Lights edges on the sheets. */
@@ -157,7 +161,7 @@ export class EdgeTool extends Panel {
     }
     this.close();
     const words = `No edge has the number ${text}.`;
-    this.card.show({ words, actions: [], busy: false, outcome: '', walk: null });
+    this.card.show({ words, ...nothing });
   }
 
   private step(by: 1 | -1): void {
@@ -218,13 +222,15 @@ export class EdgeTool extends Panel {
     const { busy } = this.store;
     if (edges && piece !== null) {
       const words = `${pieceWords(edges.result.pieces[piece]!)}.`;
-      return this.card.show({ words, actions: [], busy, outcome, walk });
+      return this.card.show({ ...nothing, words, walk });
     }
     if (!edges || !chosen) return this.card.show(null);
     const flap = chosen.kind === 'cut' ? flapWords[flapPlace(edges, chosen)] : '';
     const words = [`${edgeWords(edges, chosen)}.`, flap, lockWords[lock]];
     const actions = [...edgeEdits(edges, chosen, lock).keys()];
-    this.card.show({ words: words.filter(Boolean).join(' '), actions, busy, outcome, walk });
+    const gift = giftWords(edges, chosen);
+    const text = words.filter(Boolean).join(' ');
+    this.card.show({ words: text, actions, busy, gift, outcome, walk });
   }
 
   /** Lights what is chosen and what is pointed at; `looked`: what of it the model is turned to. */

@@ -41,6 +41,12 @@ export const lockWords: Readonly<Record<LockKind, string>> = {
   free: '',
 };
 
+/** What hands the face at this side of a cut over to the piece at the other side. */
+export function giftWords(edges: SheetEdges, edge: SheetEdge): string {
+  const partner = edges.partnerOf(edge);
+  return partner ? `Give this face to ${edges.result.pieces[partner.piece]!.name}` : '';
+}
+
 /** Which piece is shown, how large it is and where it lies. */
 export function pieceWords({ name, width, height, sheet }: Piece): string {
   return `Piece ${name}, ${Math.round(width)} × ${Math.round(height)} mm, on sheet ${sheet + 1}`;
@@ -77,6 +83,7 @@ export function outcomeWords({ action, before, after }: EdgeOutcome): string {
     case 'lock-fold':
     case 'lock-cut':
     case 'lock-free':
+    case 'give-face':
       return after.pieces === before.pieces ? '' : piecesWords(before.pieces, after.pieces);
   }
 }

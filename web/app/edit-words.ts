@@ -9,9 +9,11 @@ type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' | 'lock' }
 
 /** Of the kinds that are about neither parts nor one edge of the result. */
 const words: Readonly<
-  Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name' | 'paper' | EdgeEdit['kind']>, string>
+  Record<
+    Exclude<Kind, 'split' | 'merge' | 'again' | 'assign' | 'name' | 'paper' | EdgeEdit['kind']>,
+    string
+  >
 > = {
-  assign: 'moving faces',
   place: 'moving a piece',
   unpin: 'letting a piece go',
   print: 'change of look',
@@ -87,6 +89,8 @@ export function editWords(edits: readonly DocumentEdit[], result: JobResult): st
       return `split of ${parts}`;
     case 'merge':
       return `merging of ${parts}`;
+    case 'assign':
+      return `faces given to ${parts}`;
     case 'again':
       return `another net for ${parts}`;
     case 'name':

@@ -6,13 +6,15 @@ import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { remedyEdits, type Remedy } from '../model/remedies.js';
 import { changedSettings, type Options } from '../api/written-options.js';
+import type { Painted } from '../view/model-message.js';
 import { missingSupport } from './browser-support.js';
 import { Checking } from './checking.js';
 import { triangleWords } from './check-words.js';
 import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
 import { EdgeTool } from './edge-tool.js';
-import type { Ending, Failure } from './ending.js';
+import type { Ending } from './ending.js';
+import { leadOf, nextSteps, notes } from './ending-words.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
@@ -25,9 +27,8 @@ import { PartsPanel } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
 import { PaperFollower } from './paper-follower.js';
-import { ProgressPanel } from './progress-panel.js';
+import { ProgressPanel, type ProgressPlace } from './progress-panel.js';
 import { type DrawnRun, ResultPanel } from './result-panel.js';
-import { hopeless, leadSentence } from './result-words.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
@@ -43,23 +44,6 @@ const preparation = 300;
 
 /** Ms before the progress of a change is shown: most of the time it is done by then. */
 const editPatience = 500;
-
-/** What a person can do about a failure. */
-const nextSteps: Readonly<Record<Failure['cause'], string>> = {
-  file: 'Choose another model, or repair this one and try again.',
-  job: 'Change the settings and try again, or choose another model.',
-  crash: 'Nothing else is lost, and the next run starts afresh. A smaller model may work.',
-};
-
-/** What is said of the pictures of a run that has no result. */
-const notes: Readonly<Partial<Record<Ending['type'], string>>> = {
-  cancelled: 'Cancelled. This is how far it came.',
-  failed: 'This is how far it came.',
-  undrawn: 'The nets were found, but not drawn.',
-};
-
-const leadOf = ({ result, settings: { margin, paper } }: FinishedRun): string =>
-  hopeless(result, margin) ?? leadSentence(result, paper);
 
 export interface StudioListener {
   /** The studio is complete, and begins to load what a run needs. */
@@ -115,7 +99,7 @@ export class Studio extends Panel {
       show: (finding) => this.edges.walkThrough(finding),
       mend: (remedy) => this.mend(remedy),
     });
-    this.workshop = new Workshop(place, pick);
+    this.workshop = new Workshop(place, { pick, paint: (painted) => void this.paint(painted) });
     this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
@@ -293,17 +277,27 @@ export class Studio extends Panel {
   /** Does what helps; what takes a new search is left to the person, in the form. */
   private mend(remedy: Remedy): void {
     const edits = remedyEdits(remedy);
-    if (edits) void this.change(edits, this.verdict.progress);
+    if (edits) void this.change(edits, { host: this.verdict.progress });
     else if (remedy.kind === 'faces') {
       this.form.faces.set(remedy.faces);
       this.settings.reveal();
     }
   }
 
-  private async change(edits: readonly DocumentEdit[], progress?: HTMLElement): Promise<void> {
+  /** Gives faces to the part in whose colour they were painted; that part counts from 0. */
+  private async paint({ faces, part }: Painted): Promise<void> {
+    // The model that is painted stays where it is.
+    const where = { host: this.parts.progress, isQuiet: true };
+    const isMade = await this.change([{ kind: 'assign', faces, part: part + 1 }], where);
+    if (!isMade && this.store.run) this.workshop.repaint(this.store.run.result.labels);
+  }
+
+  /** Makes edits; false if nothing came of them. */
+  private async change(edits: readonly DocumentEdit[], where?: ProgressPlace): Promise<boolean> {
     const done = (run: FinishedRun): string => `Done: ${leadOf(run)}`;
-    const ending = await this.edit(this.store.apply(edits), done, progress);
+    const ending = await this.edit(this.store.apply(edits), done, where);
     if (ending.type === 'refused') this.tellUnchanged(ending.refusal.params.text);
+    return ending.type === 'shown';
   }
 
   /** Names a part: only texts on paper change. */
@@ -334,12 +328,12 @@ export class Studio extends Panel {
   private async edit(
     change: Promise<Ending>,
     done: (run: FinishedRun) => string,
-    progress = this.parts.progress,
+    where: ProgressPlace = { host: this.parts.progress },
   ): Promise<Ending> {
     this.message.clear();
     const begin = (): void => {
       const { run, work } = this.store;
-      if (run && work === 'editing') this.progress.begin(run.model.name, progress);
+      if (run && work === 'editing') this.progress.begin(run.model.name, where);
     };
     const late = setTimeout(begin, editPatience);
     const ending = await change;

@@ -2,7 +2,7 @@ import type { JobEvent, JobResult, Piece } from '../model/job.js';
 import type { Vector } from '../model/vector.js';
 import { ChartPanel } from './chart-panel.js';
 import { MatrixPanel } from './matrix-panel.js';
-import { ModelPanel } from './model-panel.js';
+import { ModelPanel, type ModelListener } from './model-panel.js';
 import { NetPanel } from './net-panel.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -37,10 +37,9 @@ export class Workshop extends Panel {
   /** Those that the panels show. */
   private shownPictures: RunPictures | null = null;
 
-  /** @param onPick is told the part of the model that was clicked */
-  constructor(place: StudioPlace, onPick: (part: number) => void) {
+  constructor(place: StudioPlace, listener: ModelListener) {
     super(place);
-    this.model = new ModelPanel(place, onPick);
+    this.model = new ModelPanel(place, listener);
   }
 
   /** Shows the room in which a run is watched. */
@@ -124,6 +123,11 @@ export class Workshop extends Panel {
     }
     this.find('#result-model', HTMLElement).append(this.model.figure);
     this.find('#result-pictures', HTMLElement).append(this.pictures);
+  }
+
+  /** Colours the faces of the model by their parts again, after they were painted. */
+  repaint(labels: Int32Array): void {
+    this.model.paint(labels);
   }
 
   /** Takes the pieces of the result with other names; the pictures stay as they are. */

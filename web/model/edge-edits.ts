@@ -1,4 +1,5 @@
 import type { DocumentEdit, FlapChoiceSide, LockKind } from './document-edits.js';
+import { facesBeside } from './facing.js';
 import type { EdgeLock } from './job-options.js';
 import type { SheetEdge, SheetEdges } from './sheet-edges.js';
 
@@ -12,7 +13,8 @@ export type EdgeAction =
   | 'usual-flap'
   | 'lock-fold'
   | 'lock-cut'
-  | 'lock-free';
+  | 'lock-free'
+  | 'give-face';
 
 /** Where the flaps of a cut are, seen from one of its sides. */
 export type FlapPlace = 'here' | 'there' | 'both' | 'none';
@@ -40,6 +42,16 @@ function addLocks(edits: Edits, { name: edge }: SheetEdge, now: LockKind): Edits
   return edits;
 }
 
+/** Hands the face at this side of a cut over to the part at the other side; null within one part. */
+function giftAt(edges: SheetEdges, edge: SheetEdge): DocumentEdit | null {
+  const { model, pieces } = edges.result;
+  const partner = edges.partnerOf(edge);
+  const [own, other] = [pieces[edge.piece]!, partner && pieces[partner.piece]!];
+  if (!other || other.part === own.part) return null;
+  const face = facesBeside(model, edge.name).find((one) => own.sources.includes(one));
+  return face === undefined ? null : { kind: 'assign', faces: [face], part: other.part + 1 };
+}
+
 /**
  * The edits for all that can be done at an edge now; an edge at which the model ends has none.
  *
@@ -62,5 +74,7 @@ export function edgeEdits(edges: SheetEdges, edge: SheetEdge, lock: LockKind = '
   if (place !== 'both') edits.set('both-flaps', flap('both'));
   if (place !== 'none') edits.set('no-flap', flap('none'));
   edits.set('usual-flap', flap('auto'));
+  const gift = giftAt(edges, edge);
+  if (gift && lock === 'free') edits.set('give-face', gift);
   return addLocks(edits, edge, lock);
 }

@@ -43,6 +43,11 @@ export type ModelMessage =
   | { type: 'lights'; edges: Int32Array; from: Vector | null }
   /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
   | { type: 'point'; x: number; y: number }
+  /**
+   * A hand that paints, where it is as for `point`. It begins with the colour of a part and pulls it over other faces,
+   * which is answered at its end; where it begins beside the model, it turns that.
+   */
+  | ({ type: 'stroke'; phase: 'begin' | 'move' | 'end'; x: number; y: number } & Turn)
   /** Whether hatches tell the parts apart, besides colours. */
   | { type: 'hatched'; hatched: boolean }
   /** What the looks that come have as pictures. */
@@ -57,7 +62,11 @@ export type ModelMessage =
   /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
   | { type: 'time'; time: number };
 
-/** What a picture of a model answers: the part that was pointed at. */
-export interface ModelAnswer {
+/** Faces that were painted in the colour of a part. */
+export interface Painted {
   part: number;
+  faces: number[];
 }
+
+/** What a picture of a model answers: the part that was pointed at, or what was painted. */
+export type ModelAnswer = { part: number; faces?: never } | Painted;

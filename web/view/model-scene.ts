@@ -7,6 +7,7 @@ import {
   Vector2,
   WebGLRenderer,
 } from 'three';
+import { Brush } from './brush.js';
 import type { PictureSize } from './picture-size.js';
 import type { CanvasMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
@@ -31,6 +32,11 @@ export class ModelScene {
   private readonly orbit = new Orbit(this.camera);
   private readonly mesh = new ModelMesh();
   private readonly lights = new ModelLights();
+  private readonly brush = new Brush({
+    faceAt: (x, y) => this.faceAt(x, y),
+    partOf: (face) => this.mesh.partOf(face),
+    paint: (face, part) => this.mesh.give(face, part),
+  });
   private readonly redraw = new Redraw(() => this.draw());
   private readonly looks = new ModelLooks(this.mesh, () => this.redraw.request());
   private folding: Folding | null = null;
@@ -85,6 +91,9 @@ export class ModelScene {
       case 'point':
         this.pick(message.x, message.y);
         return;
+      case 'stroke':
+        this.stroke(message);
+        break;
       case 'hatched':
         this.mesh.hatched = message.hatched;
         break;
@@ -141,12 +150,28 @@ export class ModelScene {
     this.orbit.look(from);
   }
 
-  private pick(x: number, y: number): void {
+  private faceAt(x: number, y: number): number {
     this.camera.updateMatrixWorld();
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const part = this.mesh.partAlong(ray);
+    return this.mesh.faceAlong(ray);
+  }
+
+  private pick(x: number, y: number): void {
+    const part = this.mesh.partOf(this.faceAt(x, y));
     if (part >= 0) this.answer({ part });
+  }
+
+  private stroke(stroke: Extract<ModelMessage, { type: 'stroke' }>): void {
+    this.turning = false;
+    // Faces that lie on the table or fly are no model.
+    if (stroke.phase === 'begin' && this.time === 1) this.brush.begin(stroke);
+    else if (!this.brush.isDown) this.orbit.turn(stroke);
+    else if (stroke.phase === 'move') this.brush.move(stroke);
+    else {
+      const painted = this.brush.end();
+      if (painted) this.answer(painted);
+    }
   }
 
   /** Moves the faces to where they are at the wanted time. */
