@@ -35,7 +35,7 @@ test('a stroke of the brush is one step of the history', () =>
     const hint = page.locator('#brush-hint');
     const place = await page.locator('#model-picture').boundingBox();
     expect(await hint.isVisible()).toBe(false);
-    await page.getByLabel('paint faces').check();
+    await page.getByLabel('paint', { exact: true }).check();
     expect(await hint.isVisible()).toBe(true);
     // Nothing has moved.
     expect(await page.locator('#model-picture').boundingBox()).toEqual(place);
@@ -46,7 +46,7 @@ test('a stroke of the brush is one step of the history', () =>
     await page.getByRole('button', { name: 'Undo: faces given to part 2' }).click();
     expect(await changed(studio, painted)).toBe(first);
     // Without the brush the same turns the model.
-    await page.getByLabel('paint faces').uncheck();
+    await page.getByLabel('paint', { exact: true }).uncheck();
     await pull(studio, 4);
     await page.mouse.up();
     expect(await page.locator('#undo').isVisible()).toBe(false);

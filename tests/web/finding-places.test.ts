@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { edgeLength } from '../../web/model/borders.js';
-import { placesOf } from '../../web/model/finding-places.js';
+import { hasPlaces, placesOf } from '../../web/model/finding-places.js';
 import type { JobResult } from '../../web/model/job.js';
 import { SheetEdges } from '../../web/model/sheet-edges.js';
 import { findingsOn, type FindingCode } from '../../web/model/verdict.js';
@@ -40,6 +40,11 @@ describe('the places of what is found', () => {
     expect(placesIn(result, 'tiny-pieces')).toEqual(['B']);
     expect(placesIn(result, 'spare-sheet')).toEqual(['B']);
     expect(placesIn(result, 'long-building')).toEqual([]);
+    // Whoever is offered to be led there is led somewhere.
+    const edges = new SheetEdges(result);
+    for (const finding of findingsOn(result, 10).filter(hasPlaces)) {
+      expect([finding.code, placesOf(finding, edges).length]).not.toContain(0);
+    }
   });
 
   it('are the folds that are as long as the necks, or the piece if none is', () => {

@@ -70,9 +70,11 @@ describe('what helps', () => {
 
   it('is a search of the parts that are hard to build', () => {
     const again = [{ kind: 'again', part: 2, seed: 0x01234567 }];
-    const weak = spoilt({ necks: Float64Array.of(2) });
+    // Squares of 40 mm, 50 times as large, fit no sheet.
+    const weak = spoilt({ necks: Float64Array.of(0.1) });
     expect(editsFor(weak, 'weak-necks')).toEqual(again);
-    expect(wordsFor(weak, 'weak-necks')).toEqual(['Search B again']);
+    const larger = spoilt({ necks: Float64Array.of(4.5, 4) });
+    expect(wordsFor(larger, 'weak-necks')).toEqual(['Make it 50 mm high', 'Search B again']);
     expect(editsFor(spoilt({ overlaps: 1 }), 'overlapping-pieces')).toEqual(again);
     const { motion: _, ...unproved } = boxAndLidResult().pieces[1]!;
     const result = boxAndLidResult();

@@ -5,13 +5,7 @@ import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
 import { changedSettings, isSameLook, lookOptions, type Options } from '../api/written-options.js';
 import type { FinishedRun } from './finished-run.js';
-import {
-  hopeless,
-  leadSentence,
-  noticeRemarks,
-  repairRemarks,
-  resultFacts,
-} from './result-words.js';
+import { leadSentence, noticeRemarks, repairRemarks, resultFacts } from './result-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PrintPanel } from './print-panel.js';
@@ -128,8 +122,6 @@ export class ResultPanel extends Panel {
     this.sheets.show(sheets, result, renamed);
     this.title.textContent = stem(model.name);
     this.lead.textContent = leadSentence(result, settings.paper);
-    // What cannot be built has its verdict instead.
-    this.lead.hidden = hopeless(result, settings.margin) !== null;
     this.facts.replaceChildren(
       ...resultFacts(result, settings.margin).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),

@@ -2,7 +2,7 @@ import type { TimedResult } from '../core/client.js';
 import type { JobResult, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
 import { paperUse } from '../model/paper-use.js';
-import { conclusionOf, findingsOn } from '../model/verdict.js';
+import { conclusionOf, findingsOn, type Conclusion } from '../model/verdict.js';
 import { measureSeams } from '../model/seam-measures.js';
 import { count } from '../words/numbers.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
@@ -35,14 +35,16 @@ export function leadSentence(result: JobResult, paper: PaperSize): string {
   return `${parts} in ${pieces} on ${sheets}.`;
 }
 
-/** Why a result cannot be built, in one sentence; null if it can be, or if it is only a part of one. */
+/** Whether nobody can build a result, other than because it is only a part of one. */
+export function isHopeless(result: JobResult, { level }: Conclusion): boolean {
+  return level === 'red' && finishedParts(result) === result.parts;
+}
+
+/** That a result cannot be built, in one sentence; null if it can be; `margin`: around each sheet, mm. */
 export function hopeless(result: JobResult, margin: number): string | null {
   const findings = findingsOn(result, margin);
   const conclusion = conclusionOf(findings);
-  const isWhole = finishedParts(result) === result.parts;
-  return isWhole && conclusion.level === 'red'
-    ? sentence(headline(conclusion, findings.length))
-    : null;
+  return isHopeless(result, conclusion) ? sentence(headline(conclusion, findings.length)) : null;
 }
 
 /** Seconds as people say them: 0.4 s, 12 s, 2 min 5 s. */

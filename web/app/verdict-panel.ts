@@ -1,12 +1,12 @@
-import { placesOf } from '../model/finding-places.js';
+import { hasPlaces } from '../model/finding-places.js';
 import { remediesFor, type Remedy } from '../model/remedies.js';
-import { SheetEdges } from '../model/sheet-edges.js';
 import { conclusionOf, findingsOn, type Finding, type Level } from '../model/verdict.js';
 import { findingWords, goodWords, headline, remedyWords } from '../words/verdict.js';
 import { make } from './dom.js';
 import type { FinishedRun } from './finished-run.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
+import { isHopeless } from './result-words.js';
 import type { Store } from './store.js';
 
 export interface VerdictListener {
@@ -35,6 +35,7 @@ function levelSign(level: Level): HTMLElement[] {
 export class VerdictPanel extends Panel {
   private readonly panel = this.find('#verdict', HTMLElement);
   private readonly title = this.find('#verdict-title', HTMLElement);
+  private readonly lead = this.find('#result-lead', HTMLElement);
   private readonly rows = this.find('#verdict-rows', HTMLUListElement);
   private readonly good = this.find('#verdict-good', HTMLDetailsElement);
   private readonly goodTitle = this.find('#verdict-good-title', HTMLElement);
@@ -63,11 +64,9 @@ export class VerdictPanel extends Panel {
   offer({ result, settings }: FinishedRun): void {
     const findings = findingsOn(result, settings.margin);
     const conclusion = conclusionOf(findings);
-    const edges = new SheetEdges(result);
     const row = (finding: Finding): HTMLLIElement => {
-      const hasPlaces = finding.count > 0 && placesOf(finding, edges).length > 0;
       const buttons = [
-        ...(hasPlaces ? [this.showButton(finding)] : []),
+        ...(hasPlaces(finding) ? [this.showButton(finding)] : []),
         ...remediesFor(finding, { result, settings }).map((remedy) => this.mendButton(remedy)),
       ];
       return this.row(finding, buttons);
@@ -76,6 +75,8 @@ export class VerdictPanel extends Panel {
     const bad = findings.filter(({ level }) => level !== 'green');
     const good = findings.filter(({ level }) => level === 'green');
     this.title.replaceChildren(...levelSign(conclusion.level), headline(conclusion, bad.length));
+    // What cannot be built has no words of success.
+    this.lead.hidden = isHopeless(result, conclusion);
     this.rows.replaceChildren(...bad.map(row));
     this.good.hidden = good.length === 0;
     this.goodTitle.textContent = goodWords(good.length);

@@ -29,16 +29,22 @@ function shortSeams(result: JobResult): NamedSeam[] {
   return short.sort((a, b) => a.length - b.length).map(({ seam }) => seam);
 }
 
-/** The engine tells how long the folds are that are too short for what hangs at them, but not which. */
+/** The narrowest first. The engine tells how long the folds are that are too short for what hangs at them, but not which. */
 function atNecks({ all, result }: SheetEdges): FindingPlace[] {
-  const isNeck = ({ piece, edge }: SheetEdge): boolean => {
-    const own = result.pieces[piece]!;
-    const length = edgeLength(own, edge);
-    return own.necks.some((neck) => Math.abs(neck - length) < sameLength);
+  const lengthOf = ({ piece, edge }: SheetEdge): number => edgeLength(result.pieces[piece]!, edge);
+  const isNeck = (edge: SheetEdge): boolean => {
+    const length = lengthOf(edge);
+    return result.pieces[edge.piece]!.necks.some((neck) => Math.abs(neck - length) < sameLength);
   };
   return all
     .filter((edge) => (edge.kind === 'mountain' || edge.kind === 'valley') && isNeck(edge))
+    .sort((a, b) => lengthOf(a) - lengthOf(b))
     .map((edge) => ({ edge }));
+}
+
+/** Whether a finding is about places, rather than about the whole model. */
+export function hasPlaces({ code, count }: Finding): boolean {
+  return count > 0 && code !== 'unfinished' && code !== 'long-building';
 }
 
 /**
@@ -77,9 +83,7 @@ export function placesOf(finding: Finding, edges: SheetEdges): FindingPlace[] {
       return seams(result.ids.skipped);
     case 'spare-sheet': {
       const last = result.sheets.length - 1;
-      return last === 0
-        ? []
-        : result.pieces.flatMap(({ sheet }, piece) => (sheet === last ? [{ piece }] : []));
+      return result.pieces.flatMap(({ sheet }, piece) => (sheet === last ? [{ piece }] : []));
     }
     case 'unfinished':
     case 'long-building':

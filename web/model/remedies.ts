@@ -5,7 +5,7 @@ import type { JobResult, Piece } from './job.js';
 import type { Settings } from './options.js';
 import { partNeighbours } from './part-neighbours.js';
 import { smallerNotice, type Smaller } from './print-advice.js';
-import { fewerFaces, longerSeams } from './short-seams.js';
+import { fewerFaces, largerSize, longerSeams, type Size } from './short-seams.js';
 import { hopelessSeam, manyHours, type Finding } from './verdict.js';
 
 /** Names are those of pieces. */
@@ -31,6 +31,9 @@ export interface Looked {
 /** So much longer than those that are hopeless: sizes are rounded, and nets differ a bit. */
 const bearable = 1.1;
 
+/** The engine tells of narrower places where much hangs at both sides; mm. */
+const goodNeck = 5;
+
 /** A seed that is the same for the same result, and another one for each other. */
 function nextSeed({ hash }: JobResult): number {
   return parseInt(hash.slice(0, 8), 16);
@@ -39,9 +42,16 @@ function nextSeed({ hash }: JobResult): number {
 function again(result: JobResult, isBad: (piece: Piece) => boolean): Remedy[] {
   const bad = result.pieces.filter(isBad);
   if (bad.length === 0) return [];
-  const parts = [...new Set(bad.map(({ part }) => part + 1))];
+  const parts = [...new Set(bad.map(({ part }) => part + 1))].sort((a, b) => a - b);
   const names = bad.map(({ name }) => name);
   return [{ kind: 'again', parts, names, seed: nextSeed(result) }];
+}
+
+function sized(size: Size): Remedy[] {
+  return (['height', 'width', 'depth'] as const).flatMap((side): Remedy[] => {
+    const mm = size[side];
+    return mm === undefined ? [] : [{ kind: 'size', side, mm, saves: 0 }];
+  });
 }
 
 function longSeams({ result, settings: { margin } }: Looked, isHopeless: boolean): Remedy[] {
@@ -51,11 +61,15 @@ function longSeams({ result, settings: { margin } }: Looked, isHopeless: boolean
     isHopeless && Object.keys(best).length === 0
       ? longerSeams(result, margin, bearable * hopelessSeam)
       : best;
-  const sizes = (['height', 'width', 'depth'] as const).flatMap((side): Remedy[] => {
-    const mm = size[side];
-    return mm === undefined ? [] : [{ kind: 'size', side, mm, saves: 0 }];
-  });
+  const sizes = sized(size);
   return faces === undefined ? sizes : [...sizes, { kind: 'faces', faces }];
+}
+
+/** A size at which the narrowest place is wide enough, or other nets, which may have none so narrow. */
+function widerNecks({ result, settings: { margin } }: Looked): Remedy[] {
+  const narrowest = Math.min(...result.pieces.flatMap(({ necks }) => [...necks]));
+  const wider = sized(largerSize(result, goodNeck / narrowest, margin));
+  return [...wider, ...again(result, ({ necks }) => necks.length > 0)];
 }
 
 /** Joins the first of these pieces that is a whole part to the smallest piece beside it that is one, too. */
@@ -100,7 +114,7 @@ export function remediesFor(finding: Finding, looked: Looked): Remedy[] {
     case 'overlapping-pieces':
       return again(result, ({ overlaps }) => overlaps > 0);
     case 'weak-necks':
-      return again(result, ({ necks }) => necks.length > 0);
+      return widerNecks(looked);
     case 'unproved-folding':
       return again(result, ({ motion, foldable }) => !motion && foldable === 'no');
     case 'spare-sheet':

@@ -44,8 +44,15 @@ function canGrow({ model, pieces, sheets }: JobResult, factor: number, margin: n
   );
 }
 
+/** A finished size, mm: one of these, or none. */
+export interface Size {
+  height?: number;
+  width?: number;
+  depth?: number;
+}
+
 /** The size, in tens of mm, at which edges are `factor` times as long; none if it cannot be printed. */
-function largerSize(result: JobResult, factor: number, margin: number): { [side: string]: number } {
+export function largerSize(result: JobResult, factor: number, margin: number): Size {
   const extents = extentsOf(result.model.vertices);
   const longest = Math.max(...extents);
   const side = extents[1] >= leastUpright * longest ? 1 : extents.indexOf(longest);
@@ -75,10 +82,7 @@ export function fewerFaces({ model, pieces }: JobResult, share: number): { faces
 }
 
 /** A size in mm, and a number of faces, at which seams are long enough, as far as there are any that are of use. */
-export interface LongerSeams {
-  height?: number;
-  width?: number;
-  depth?: number;
+export interface LongerSeams extends Size {
   faces?: number;
 }
 

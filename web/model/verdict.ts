@@ -3,10 +3,11 @@ import { creasesOf } from './assembly-steps.js';
 import { buildingTime } from './building-time.js';
 import type { JobResult, Piece } from './job.js';
 import { namelessPieces } from './left-out.js';
+import { median } from './median.js';
 import { isSheetSpare, lastSheetFill, smallerNotice, tinyPieces } from './print-advice.js';
 import { overlappingPieces } from './result-notices.js';
 import { measureSeams } from './seam-measures.js';
-import { goodSeam, medianSeam } from './short-seams.js';
+import { goodSeam } from './short-seams.js';
 
 /** green: nothing stands against it; amber: it takes patience or skill, or costs paper; red: it cannot be built so. */
 export type Level = 'green' | 'amber' | 'red';
@@ -100,8 +101,9 @@ function beyondPaper(result: JobResult, margin: number): Finding {
 }
 
 function shortSeams(result: JobResult): Finding {
-  const middle = medianSeam(result) ?? goodSeam;
-  const count = measureSeams(result).filter(({ length }) => length < goodSeam).length;
+  const lengths = measureSeams(result).map(({ length }) => length);
+  const middle = lengths.length > 0 ? median(lengths) : goodSeam;
+  const count = lengths.filter((length) => length < goodSeam).length;
   const level = levelOf(-middle, -goodSeam, -hopelessSeam);
   return { code: 'short-seams', level, count, params: { median_mm: middle } };
 }
@@ -110,8 +112,11 @@ function shortSeams(result: JobResult): Finding {
 function missingFlaps(result: JobResult): Finding {
   const { missing, missing_mm, wanted_mm, strips } = result.flaps;
   const joined = new Set(result.strips.map(({ id }) => id));
-  const stripped = measureSeams(result).filter(({ seam }) => joined.has(seam.name));
-  const bare = stripped.reduce((rest, { length }) => rest - length, missing_mm);
+  const stripped = joined.size > 0 ? measureSeams(result) : [];
+  const bare = stripped.reduce(
+    (rest, { seam, length }) => (joined.has(seam.name) ? rest - length : rest),
+    missing_mm,
+  );
   const all = missing.narrow + missing.thin + missing.blocked + missing.short;
   const count = Math.max(0, all - strips);
   const share = count > 0 && wanted_mm > 0 ? Math.max(0, bare) / wanted_mm : 0;
