@@ -78,6 +78,20 @@ describe('a walk through places', () => {
     expect(walk.step(1)).toEqual({ piece: 4 });
   });
 
+  it('goes on after a change where it was, or with the place after one that is gone', () => {
+    const places = [{ piece: 4 }, { piece: 5 }, { piece: 6 }];
+    const walk = new PlaceWalk('tiny-pieces', 'Tiny', places);
+    walk.step(1);
+    walk.step(1);
+    const kept = walk.resumed('Two', [{ piece: 5 }, { piece: 6 }])!;
+    expect(kept.words).toBe('Two: 1 of 2');
+    expect(kept.step(1)).toEqual({ piece: 6 });
+    const mended = walk.resumed('Two', [{ piece: 4 }, { piece: 6 }])!;
+    expect(mended.step(1)).toEqual({ piece: 6 });
+    expect(walk.resumed('One', [{ piece: 4 }])!.step(1)).toEqual({ piece: 4 });
+    expect(walk.resumed('None', [])).toBeNull();
+  });
+
   it('does not count a single place', () => {
     const walk = new PlaceWalk('tiny-pieces', 'Tiny', [{ piece: 0 }]);
     expect([walk.step(1), walk.words, walk.isLong]).toEqual([{ piece: 0 }, 'Tiny', false]);

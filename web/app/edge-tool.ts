@@ -4,7 +4,7 @@ import { placesOf, type FindingPlace } from '../model/finding-places.js';
 import type { EdgeLock } from '../model/job-options.js';
 import { SheetEdges, type SheetEdge } from '../model/sheet-edges.js';
 import type { Vector } from '../model/vector.js';
-import type { Finding } from '../model/verdict.js';
+import { findingsOn, type Finding } from '../model/verdict.js';
 import { findingWords } from '../words/verdict.js';
 import { EdgeCard } from './edge-card.js';
 import {
@@ -98,10 +98,12 @@ export class EdgeTool extends Panel {
   }
 
   /** Takes another result; an edge that was chosen and is there still stays so. */
-  offer({ result, locks }: Pick<FinishedRun, 'result' | 'locks'>): void {
+  offer(run: Pick<FinishedRun, 'result' | 'locks' | 'settings'>): void {
+    const { result, locks } = run;
     this.edges = new SheetEdges(result);
     this.locks = locks;
-    this.walk = this.piece = null;
+    this.piece = null;
+    this.walk = this.walkAfter(run);
     this.listener.lock(lockSigns(this.edges, locks));
     this.chosen = this.chosen && this.edges.find(this.chosen.name);
     this.pointed = null;
@@ -128,6 +130,17 @@ export class EdgeTool extends Panel {
       this.walk = new PlaceWalk(finding.code, findingWords(finding).title, places);
     }
     this.step(1);
+  }
+
+  /** The walk that goes on in another result. */
+  private walkAfter({
+    result,
+    settings,
+  }: Pick<FinishedRun, 'result' | 'settings'>): PlaceWalk | null {
+    const { walk, edges } = this;
+    if (!walk || !edges) return null;
+    const finding = findingsOn(result, settings.margin).find(({ code }) => code === walk.code);
+    return finding ? walk.resumed(findingWords(finding).title, placesOf(finding, edges)) : null;
   }
 
   /** Chooses the edge at a place; false if there is none. */

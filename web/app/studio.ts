@@ -289,7 +289,8 @@ export class Studio extends Panel {
     // The model that is painted stays where it is.
     const where = { host: this.parts.progress, isQuiet: true };
     const isMade = await this.change([{ kind: 'assign', faces, part: part + 1 }], where);
-    if (!isMade && this.store.run) this.workshop.repaint(this.store.run.result.labels);
+    const { run, work } = this.store;
+    if (!isMade && run && work !== 'running') this.workshop.repaint(run.result.labels);
   }
 
   /** Makes edits; false if nothing came of them. */

@@ -55,11 +55,6 @@ export class VerdictPanel extends Panel {
     return this.find('#verdict-progress', HTMLElement);
   }
 
-  /** Moves the keyboard here. */
-  focus(): void {
-    this.panel.focus({ preventScroll: true });
-  }
-
   /** Judges another result. */
   offer({ result, settings }: FinishedRun): void {
     const findings = findingsOn(result, settings.margin);
@@ -82,8 +77,10 @@ export class VerdictPanel extends Panel {
     this.goodTitle.textContent = goodWords(good.length);
     this.goodRows.replaceChildren(...good.map(row));
     this.wait();
-    // The button that was pressed may be gone.
-    if (hasFocus) this.focus();
+    // The button that was pressed may be gone, and what came of it is told at the top.
+    if (!hasFocus) return;
+    this.panel.focus({ preventScroll: true });
+    this.title.scrollIntoView({ block: 'nearest' });
   }
 
   private row(finding: Finding, buttons: HTMLButtonElement[]): HTMLLIElement {
