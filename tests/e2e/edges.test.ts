@@ -7,7 +7,7 @@ import { phone, type StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
 
-const press = (page: Page, name: string) => page.getByRole('button', { name }).click();
+const press = (page: Page, name: string) => page.getByRole('button', { name, exact: true }).click();
 const card = (page: Page) => page.locator('#edge-card');
 const words = (page: Page) => page.locator('#edge-words');
 
@@ -123,3 +123,25 @@ test('a seam is found by its number and its flap turned by the keyboard alone', 
     },
     { viewport: phone },
   ));
+
+test('an edge is locked, found again by its sign, and let go', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio);
+    const number = await printedNumber(page);
+    await find(page, number);
+    await press(page, 'Always cut here');
+    // Both sides of the cut have a sign.
+    await expect.poll(() => page.locator('.lock-sign--cut').count()).toBe(2);
+    await expect.poll(() => words(page).innerText()).toContain('Locked: it is always cut.');
+    const join = page.getByRole('button', { name: 'Make it a fold' });
+    expect(await join.isVisible()).toBe(false);
+    expect(await page.locator('#undo').innerText()).toBe(`Undo: always cut at ${number}`);
+    await studio.picture('edges-locked');
+    await press(page, 'Let the program choose');
+    await expect.poll(() => page.locator('.lock-sign').count()).toBe(0);
+    expect(await join.isVisible()).toBe(true);
+    await page.getByRole('button', { name: `Undo: lock taken away at ${number}` }).click();
+    await expect.poll(() => page.locator('.lock-sign--cut').count()).toBe(2);
+    expect(studio.complaints).toEqual([]);
+  }));

@@ -169,15 +169,15 @@ export class StudioPage {
   /** Waits until a canvas shows a picture. */
   async drawn(selector: string): Promise<void> {
     const last = Date.now() + patience;
-    while ((await this.coloursOf(selector)) <= few) {
+    while ((await this.coloursOf(selector)).size <= few) {
       if (Date.now() > last) throw new Error(`${selector} stays empty`);
     }
   }
 
-  /** Counts the colours that an element shows on the screen. */
-  private async coloursOf(selector: string): Promise<number> {
+  /** The colours that an element shows on the screen, as red, green and blue, and how many pixels have each. */
+  async coloursOf(selector: string): Promise<ReadonlyMap<number, number>> {
     const shot = await this.page.locator(selector).screenshot();
-    return this.page.evaluate(
+    const counts = await this.page.evaluate(
       async (source) => {
         const image = new Image();
         image.src = source;
@@ -185,11 +185,17 @@ export class StudioPage {
         const canvas = new OffscreenCanvas(image.width, image.height);
         const context = canvas.getContext('2d');
         context?.drawImage(image, 0, 0);
-        const data = context?.getImageData(0, 0, image.width, image.height).data.buffer;
-        return new Set(new Uint32Array(data ?? new ArrayBuffer(0))).size;
+        const { data } = context!.getImageData(0, 0, image.width, image.height);
+        const found = new Map<number, number>();
+        for (let at = 0; at < data.length; at += 4) {
+          const colour = (data[at]! << 16) | (data[at + 1]! << 8) | data[at + 2]!;
+          found.set(colour, (found.get(colour) ?? 0) + 1);
+        }
+        return [...found];
       },
       `data:image/png;base64,${shot.toString('base64')}`,
     );
+    return new Map(counts);
   }
 
   /** Keeps a picture of the whole page for people to look at. */

@@ -92,10 +92,8 @@ test('what is hard to build is said before anything is printed', () =>
     await page.fill('#size', '8');
     await studio.choose('small.obj', objText(cube));
     await studio.resultOf('small');
-    const remarks = await page.locator('#remarks').innerText();
-    expect(remarks).toContain(
-      'Half of the seams are at most 8 mm long, which is hard to glue; easier to build: 20 mm high (--height 20).',
-    );
+    const verdict = await page.locator('#verdict').innerText();
+    expect(verdict).toContain('Half of all edges are at most 8 mm long: a fingertip needs 12 mm.');
     const glue = page.locator('#facts div').filter({ hasText: 'To glue' });
     expect(await glue.locator('dd').innerText()).toBe('0.1 m on 7 seams');
   }));

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { edgeWords, outcomeWords } from '../../web/app/edge-words.js';
+import { edgeWords, giftWords, outcomeWords } from '../../web/app/edge-words.js';
 import { editWords } from '../../web/app/edit-words.js';
-import type { FlapChoiceSide } from '../../web/model/document-edits.js';
-import { SheetEdges } from '../../web/model/sheet-edges.js';
+import type { FlapChoiceSide, LockKind } from '../../web/model/document-edits.js';
+import { SheetEdges, type SheetEdge } from '../../web/model/sheet-edges.js';
 import { boxAndLidResult, slitResult } from './fixtures.js';
 
 const result = boxAndLidResult();
@@ -48,6 +48,21 @@ describe('edits at edges in the history', () => {
     expect(flap('none')).toBe(`flap of ${number} taken away`);
     expect(editWords([{ kind: 'cut', edge: fold.name }], result)).toBe('cut in A');
     expect(editWords([{ kind: 'join', edge: fold.name }], result)).toBe('fold made in A');
+  });
+
+  it('say what is locked', () => {
+    const lock = (as: LockKind, { name: edge }: SheetEdge) =>
+      editWords([{ kind: 'lock', edge, as }], result);
+    expect(lock('fold', fold)).toBe('never cut in A');
+    expect(lock('cut', between)).toBe(`always cut at ${number}`);
+    expect(lock('free', fold)).toBe('lock taken away in A');
+  });
+
+  it('say what faces are given to', () => {
+    expect(editWords([{ kind: 'assign', faces: [1, 2], part: 2 }], result)).toBe(
+      'faces given to part 2',
+    );
+    expect(giftWords(edges, between)).toBe('Give this face to B');
   });
 
   it('have words also for edges that are on no sheet', () => {

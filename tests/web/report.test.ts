@@ -104,7 +104,9 @@ describe('makeReport', () => {
       count: 1,
       params: { share: 1 },
     });
-    expect(others).toEqual([]);
+    // Each piece has a sheet of its own.
+    expect(others.map(({ code, level }) => [code, level])).toEqual([['spare-sheet', 'amber']]);
+    expect(schemaErrors(reportOf(2))).toEqual([]);
   });
 
   it('has the parts of all faces on one line', () => {

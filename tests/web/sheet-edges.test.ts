@@ -1,11 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { edgeEdits, flapPlace } from '../../web/model/edge-edits.js';
+import type { DocumentEdit } from '../../web/model/document-edits.js';
+import { edgeEdits, flapPlace, lockOf } from '../../web/model/edge-edits.js';
 import { printedText, SheetEdges } from '../../web/model/sheet-edges.js';
 import { addFlap } from './changed-result.js';
 import { engineResult } from './engine-result.js';
 import { boxAndLidResult, cubeResult, slitResult } from './fixtures.js';
 import { objText, wavyRing } from './model-text.js';
 import { isEngineBuilt } from './thread-pool.js';
+
+type Gift = Extract<DocumentEdit, { kind: 'assign' }>;
 
 const middle = ({ from, to }: { from: readonly number[]; to: readonly number[] }) =>
   [(from[0]! + to[0]!) / 2, (from[1]! + to[1]!) / 2] as const;
@@ -101,7 +104,45 @@ describe('what can be done at an edge', () => {
     expect(edgeEdits(edges, border).size).toBe(0);
     const box = new SheetEdges(cubeResult());
     const fold = box.all.find(({ kind }) => kind === 'mountain')!;
-    expect([...edgeEdits(box, fold)]).toEqual([['cut', { kind: 'cut', edge: fold.name }]]);
+    const lock = (as: string) => ({ kind: 'lock', edge: fold.name, as });
+    expect([...edgeEdits(box, fold)]).toEqual([
+      ['cut', { kind: 'cut', edge: fold.name }],
+      ['lock-fold', lock('fold')],
+      ['lock-cut', lock('cut')],
+    ]);
+  });
+
+  it('hands the face at its side over to the part at the other side', () => {
+    const edges = new SheetEdges(boxAndLidResult());
+    const { pieces, model } = edges.result;
+    const between = edges.all.filter(({ seam }) => seam && seam.pieces[0] !== seam.pieces[1]);
+    for (const edge of between) {
+      const gift = edgeEdits(edges, edge).get('give-face') as Gift;
+      const other = pieces[edges.partnerOf(edge)!.piece]!;
+      expect(gift).toMatchObject({ kind: 'assign', part: other.part + 1 });
+      const [face] = gift.faces;
+      expect(pieces[edge.piece]!.sources).toContain(face);
+      const corners = model.faces.subarray(3 * face!, 3 * face! + 3);
+      expect([...corners]).toEqual(expect.arrayContaining([...edge.name]));
+      expect([...edgeEdits(edges, edge, 'cut').keys()]).not.toContain('give-face');
+    }
+    const within = edges.all.find(({ seam }) => seam && seam.pieces[0] === seam.pieces[1])!;
+    expect([...edgeEdits(edges, within).keys()]).not.toContain('give-face');
+  });
+
+  it('is not what its lock forbids', () => {
+    const edges = new SheetEdges(boxAndLidResult());
+    const fold = edges.all.find(({ kind }) => kind === 'mountain')!;
+    const cut = edges.all.find(({ kind }) => kind === 'cut')!;
+    const [v, w] = fold.name;
+    expect(lockOf(fold, [])).toBe('free');
+    expect(lockOf(fold, [{ from: w, to: v, as: 'fold' }])).toBe('fold');
+    expect([...edgeEdits(edges, fold, 'fold').keys()]).toEqual(['lock-cut', 'lock-free']);
+    const actions = [...edgeEdits(edges, cut, 'cut').keys()];
+    expect(actions).not.toContain('join');
+    expect(actions).toEqual(expect.arrayContaining(['both-flaps', 'lock-fold', 'lock-free']));
+    const free = { kind: 'lock', edge: cut.name, as: 'free' };
+    expect(edgeEdits(edges, cut, 'cut').get('lock-free')).toEqual(free);
   });
 
   it('turns the flap away from where it is', () => {
@@ -121,7 +162,8 @@ describe('what can be done at an edge', () => {
   it('has no flap to turn or to take away where there is none', () => {
     const edges = new SheetEdges(cubeResult());
     const cut = edges.all.find(({ kind }) => kind === 'cut')!;
-    expect([...edgeEdits(edges, cut).keys()]).toEqual(['join', 'both-flaps', 'usual-flap']);
+    const flaps = [...edgeEdits(edges, cut).keys()].filter((action) => !action.includes('lock'));
+    expect(flaps).toEqual(['join', 'both-flaps', 'usual-flap']);
   });
 });
 

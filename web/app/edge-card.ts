@@ -12,12 +12,18 @@ export interface EdgeCardContent {
   actions: readonly EdgeAction[];
   /** Whether that has to wait. */
   busy: boolean;
+  /** What the button says that hands a face over. */
+  gift: string;
   /** What came of the last change, or why it was not made. */
   outcome: string;
+  /** What the walk through several places is about, and where it is; null outside of one. */
+  walk: { words: string; isLong: boolean } | null;
 }
 
 export interface EdgeCardListener {
   act(action: EdgeAction): void;
+  /** Goes to the next place of a walk, or with -1 to the one before. */
+  step(by: 1 | -1): void;
   close(): void;
 }
 
@@ -26,6 +32,10 @@ export class EdgeCard extends Panel {
   private readonly card = this.find('#edge-card', HTMLElement);
   private readonly words = this.find('#edge-words', HTMLElement);
   private readonly outcome = this.find('#edge-outcome', HTMLElement);
+  private readonly gift = this.find('#edge-gift', HTMLButtonElement);
+  private readonly walk = this.find('#edge-walk', HTMLElement);
+  private readonly walkWords = this.find('#edge-walk-words', HTMLElement);
+  private readonly walkButtons = [...this.walk.querySelectorAll<HTMLButtonElement>('[data-walk]')];
   private readonly buttons: readonly HTMLButtonElement[];
 
   constructor(place: StudioPlace, listener: EdgeCardListener) {
@@ -36,6 +46,11 @@ export class EdgeCard extends Panel {
         if (button.getAttribute('aria-disabled') === 'true') return;
         listener.act(button.dataset['action'] as EdgeAction);
       });
+    }
+    for (const button of this.walkButtons) {
+      button.addEventListener('click', () =>
+        listener.step(button.dataset['walk'] === '1' ? 1 : -1),
+      );
     }
     this.find('#edge-close', HTMLButtonElement).addEventListener('click', () => listener.close());
   }
@@ -59,6 +74,10 @@ export class EdgeCard extends Panel {
     const { hasFocus } = this;
     this.words.textContent = content.words;
     this.outcome.textContent = content.outcome;
+    this.gift.textContent = content.gift;
+    this.walk.hidden = content.walk === null;
+    this.walkWords.textContent = content.walk?.words ?? '';
+    for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
     for (const button of this.buttons) {
       button.hidden = !content.actions.includes(button.dataset['action'] as EdgeAction);
       button.setAttribute('aria-disabled', String(content.busy));

@@ -1,13 +1,36 @@
-import type { DocumentEdit } from '../model/document-edits.js';
-import { edgeEdits, flapPlace, type EdgeAction } from '../model/edge-edits.js';
-import type { JobResult } from '../model/job.js';
+import type { DocumentEdit, LockKind } from '../model/document-edits.js';
+import { edgeEdits, flapPlace, lockOf, type EdgeAction } from '../model/edge-edits.js';
+import { placesOf, type FindingPlace } from '../model/finding-places.js';
+import type { EdgeLock } from '../model/job-options.js';
 import { SheetEdges, type SheetEdge } from '../model/sheet-edges.js';
+import type { Vector } from '../model/vector.js';
+import { findingsOn, type Finding } from '../model/verdict.js';
+import { findingWords } from '../words/verdict.js';
 import { EdgeCard } from './edge-card.js';
-import { edgeLighting, together, type LightsBySheet } from './edge-lighting.js';
-import { edgeWords, flapWords, outcomeWords, type EdgeOutcome } from './edge-words.js';
+import {
+  edgeLighting,
+  litOnModel,
+  lockSigns,
+  pieceLighting,
+  together,
+  viewOf,
+  type LightsBySheet,
+  type LocksBySheet,
+} from './edge-lighting.js';
+import {
+  edgeWords,
+  flapWords,
+  giftWords,
+  lockWords,
+  outcomeWords,
+  pieceWords,
+  type EdgeOutcome,
+} from './edge-words.js';
 import type { Ending } from './ending.js';
+import type { FinishedRun } from './finished-run.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
+import { PlaceWalk } from './place-walk.js';
 import { sentence } from './sentence.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
@@ -15,16 +38,26 @@ import type { Store } from './store.js';
 /** How near the pointer must be to an edge: in mm, but at least in pixels, and that far also from short edges. */
 const reach = { mm: 3, pixels: 6, leastPixels: 2 };
 
+/** Of a card that only tells something. */
+const nothing = { actions: [], busy: false, gift: '', outcome: '', walk: null };
+
 export interface EdgeToolListener {
   /** Lights edges on the sheets. */
   light(lights: LightsBySheet): void;
+  /** Puts the signs of locked edges on the sheets. */
+  lock(signs: LocksBySheet): void;
+  /** Lights edges on the model, and looks at it from a direction unless that is null. */
+  lightModel(edges: Int32Array, from: Vector | null): void;
   /** Scrolls to what is lit on a sheet; how far that is below the upper end of the window then, in pixels. */
   reveal(sheet: number): number;
   /** Makes an edit. */
   change(edit: DocumentEdit): Promise<Ending>;
 }
 
-/** Edges on the sheets are pointed at, chosen by a click or by their number, and changed. */
+/**
+ * Edges on the sheets are pointed at, chosen by a click or by their number, and changed; what a verdict is about is
+ * walked through.
+ */
 export class EdgeTool extends Panel {
   private readonly line = this.find('#edge-line', HTMLElement);
   private readonly form = this.find('#edge-form', HTMLFormElement);
@@ -33,6 +66,10 @@ export class EdgeTool extends Panel {
   private edges: SheetEdges | null = null;
   private pointed: SheetEdge | null = null;
   private chosen: SheetEdge | null = null;
+  /** A piece that a walk is at. */
+  private piece: number | null = null;
+  private walk: PlaceWalk | null = null;
+  private locks: readonly EdgeLock[] = [];
   private outcome = '';
 
   constructor(
@@ -43,6 +80,7 @@ export class EdgeTool extends Panel {
     super(place);
     this.card = new EdgeCard(place, {
       act: (action) => void this.act(action),
+      step: (by) => this.step(by),
       close: () => this.close(),
     });
     this.form.addEventListener('submit', (event) => {
@@ -60,8 +98,13 @@ export class EdgeTool extends Panel {
   }
 
   /** Takes another result; an edge that was chosen and is there still stays so. */
-  offer(result: JobResult): void {
+  offer(run: Pick<FinishedRun, 'result' | 'locks' | 'settings'>): void {
+    const { result, locks } = run;
     this.edges = new SheetEdges(result);
+    this.locks = locks;
+    this.piece = null;
+    this.walk = this.walkAfter(run);
+    this.listener.lock(lockSigns(this.edges, locks));
     this.chosen = this.chosen && this.edges.find(this.chosen.name);
     this.pointed = null;
     this.line.textContent = '';
@@ -78,6 +121,28 @@ export class EdgeTool extends Panel {
     this.light();
   }
 
+  /** Shows where the first thing is that a finding is about, or, when asked once more, the next one. */
+  walkThrough(finding: Finding): void {
+    if (!this.edges) return;
+    if (this.walk?.code !== finding.code) {
+      const places = placesOf(finding, this.edges);
+      if (places.length === 0) return;
+      this.walk = new PlaceWalk(finding.code, findingWords(finding).title, places);
+    }
+    this.step(1);
+  }
+
+  /** The walk that goes on in another result. */
+  private walkAfter({
+    result,
+    settings,
+  }: Pick<FinishedRun, 'result' | 'settings'>): PlaceWalk | null {
+    const { walk, edges } = this;
+    if (!walk || !edges) return null;
+    const finding = findingsOn(result, settings.margin).find(({ code }) => code === walk.code);
+    return finding ? walk.resumed(findingWords(finding).title, placesOf(finding, edges)) : null;
+  }
+
   /** Chooses the edge at a place; false if there is none. */
   press(place: SheetPlace | null): boolean {
     const edge = place && this.edgeAt(place);
@@ -85,7 +150,8 @@ export class EdgeTool extends Panel {
       this.close();
       return false;
     }
-    this.choose(edge);
+    this.walk = null;
+    this.choose({ edge });
     this.card.keepOff(place.below);
     return true;
   }
@@ -102,32 +168,44 @@ export class EdgeTool extends Panel {
     const found = this.edges.numbered(text);
     const edge = found[(found.findIndex((one) => one === this.chosen) + 1) % found.length];
     if (edge) {
-      this.choose(edge);
-      this.card.keepOff(this.listener.reveal(edge.sheet));
+      this.walk = null;
+      this.reveal({ edge });
       return;
     }
     this.close();
     const words = `No edge has the number ${text}.`;
-    this.card.show({ words, actions: [], busy: false, outcome: '' });
+    this.card.show({ words, ...nothing });
   }
 
-  private choose(edge: SheetEdge): void {
-    this.chosen = edge;
+  private step(by: 1 | -1): void {
+    if (this.walk) this.reveal(this.walk.step(by));
+  }
+
+  /** Chooses a place and brings it into view. */
+  private reveal(place: FindingPlace): void {
+    this.choose(place);
+    const at = place.edge ?? this.edges?.result.pieces[place.piece];
+    if (at) this.card.keepOff(this.listener.reveal(at.sheet));
+  }
+
+  private choose(place: FindingPlace): void {
+    this.chosen = place.edge ?? null;
+    this.piece = place.piece ?? null;
     this.outcome = '';
     this.show();
-    this.light();
+    this.light(place);
   }
 
   private close(): void {
     if (this.card.hasFocus) this.number.focus({ preventScroll: true });
-    this.chosen = null;
+    this.chosen = this.piece = this.walk = null;
     this.show();
     this.light();
   }
 
   private async act(action: EdgeAction): Promise<void> {
     const { edges, chosen } = this;
-    const edit = edges && chosen && edgeEdits(edges, chosen).get(action);
+    const edit = edges && chosen && edgeEdits(edges, chosen, this.lock).get(action);
     if (!edit) return;
     const before = this.state;
     const ending = await this.listener.change(edit);
@@ -141,6 +219,10 @@ export class EdgeTool extends Panel {
     this.show();
   }
 
+  private get lock(): LockKind {
+    return this.chosen ? lockOf(this.chosen, this.locks) : 'free';
+  }
+
   /** What an edit can change at the chosen edge. */
   private get state(): EdgeOutcome['before'] | null {
     const { edges, chosen } = this;
@@ -149,17 +231,34 @@ export class EdgeTool extends Panel {
   }
 
   private show(): void {
-    const { edges, chosen, outcome } = this;
+    const { edges, chosen, piece, outcome, lock, walk } = this;
+    const { busy } = this.store;
+    if (edges && piece !== null) {
+      const words = `${pieceWords(edges.result.pieces[piece]!)}.`;
+      return this.card.show({ ...nothing, words, walk });
+    }
     if (!edges || !chosen) return this.card.show(null);
-    const flap = chosen.kind === 'cut' ? ` ${flapWords[flapPlace(edges, chosen)]}` : '';
-    const words = `${edgeWords(edges, chosen)}.${flap}`;
-    const actions = [...edgeEdits(edges, chosen).keys()];
-    this.card.show({ words, actions, busy: this.store.busy, outcome });
+    const flap = chosen.kind === 'cut' ? flapWords[flapPlace(edges, chosen)] : '';
+    const words = [`${edgeWords(edges, chosen)}.`, flap, lockWords[lock]];
+    const actions = [...edgeEdits(edges, chosen, lock).keys()];
+    const gift = giftWords(edges, chosen);
+    const text = words.filter(Boolean).join(' ');
+    this.card.show({ words: text, actions, busy, gift, outcome, walk });
   }
 
-  private light(): void {
-    const { edges, chosen, pointed } = this;
+  /** Lights what is chosen and what is pointed at; `looked`: what of it the model is turned to. */
+  private light(looked: FindingPlace | null = null): void {
+    const { edges, chosen, piece, pointed } = this;
+    if (!edges) return;
     const lit = [...new Set([chosen, pointed])].filter((edge) => edge !== null);
-    this.listener.light(together(edges ? lit.map((edge) => edgeLighting(edges, edge)) : []));
+    const lights = lit.map((edge) => edgeLighting(edges, edge));
+    const onModel = lit.flatMap((edge) => litOnModel(edges, { edge }));
+    if (piece !== null) {
+      lights.push(pieceLighting(edges, piece));
+      onModel.push(...litOnModel(edges, { piece }));
+    }
+    this.listener.light(together(lights));
+    const from = looked && viewOf(edges, looked);
+    this.listener.lightModel(Int32Array.from(onModel), from);
   }
 }

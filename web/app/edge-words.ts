@@ -1,4 +1,6 @@
+import type { LockKind } from '../model/document-edits.js';
 import type { EdgeAction, FlapPlace } from '../model/edge-edits.js';
+import type { Piece } from '../model/job.js';
 import { printedText, type SheetEdge, type SheetEdges } from '../model/sheet-edges.js';
 
 function seamWords(edges: SheetEdges, edge: SheetEdge): string {
@@ -32,6 +34,24 @@ export const flapWords: Readonly<Record<FlapPlace, string>> = {
   none: 'It has no flap.',
 };
 
+/** What is asked of an edge from now on. */
+export const lockWords: Readonly<Record<LockKind, string>> = {
+  fold: 'Locked: it is never cut.',
+  cut: 'Locked: it is always cut.',
+  free: '',
+};
+
+/** What hands the face at this side of a cut over to the piece at the other side. */
+export function giftWords(edges: SheetEdges, edge: SheetEdge): string {
+  const partner = edges.partnerOf(edge);
+  return partner ? `Give this face to ${edges.result.pieces[partner.piece]!.name}` : '';
+}
+
+/** Which piece is shown, how large it is and where it lies. */
+export function pieceWords({ name, width, height, sheet }: Piece): string {
+  return `Piece ${name}, ${Math.round(width)} × ${Math.round(height)} mm, on sheet ${sheet + 1}`;
+}
+
 /** What came of an edit at an edge: the same edge in the result before and after. */
 export interface EdgeOutcome {
   action: EdgeAction;
@@ -60,5 +80,10 @@ export function outcomeWords({ action, before, after }: EdgeOutcome): string {
     case 'no-flap':
     case 'usual-flap':
       return '';
+    case 'lock-fold':
+    case 'lock-cut':
+    case 'lock-free':
+    case 'give-face':
+      return after.pieces === before.pieces ? '' : piecesWords(before.pieces, after.pieces);
   }
 }

@@ -1,21 +1,21 @@
-import type { DocumentEdit, FlapChoiceSide } from '../model/document-edits.js';
+import type { DocumentEdit, FlapChoiceSide, LockKind } from '../model/document-edits.js';
 import type { JobResult } from '../model/job.js';
 import { printedText, SheetEdges } from '../model/sheet-edges.js';
 
 type Kind = DocumentEdit['kind'];
 
 /** An edit at one edge. */
-type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' }>;
+type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' | 'lock' }>;
 
 /** Of the kinds that are about neither parts nor one edge of the result. */
 const words: Readonly<
-  Record<Exclude<Kind, 'split' | 'merge' | 'again' | 'name' | EdgeEdit['kind']>, string>
+  Record<
+    Exclude<Kind, 'split' | 'merge' | 'again' | 'assign' | 'name' | 'paper' | EdgeEdit['kind']>,
+    string
+  >
 > = {
-  assign: 'moving faces',
-  lock: 'lock of an edge',
   place: 'moving a piece',
   unpin: 'letting a piece go',
-  paper: 'change of paper',
   print: 'change of look',
 };
 
@@ -25,6 +25,23 @@ const flapWords: Readonly<Record<FlapChoiceSide, (edge: string) => string>> = {
   both: (edge) => `flaps on both sides of ${edge}`,
   none: (edge) => `flap of ${edge} taken away`,
   auto: (edge) => `flap of ${edge} as usual`,
+};
+
+const lockWords: Readonly<Record<LockKind, string>> = {
+  fold: 'never cut',
+  cut: 'always cut',
+  free: 'lock taken away',
+};
+
+/** What an edit of paper changes, by the options that it has; each stands for a kind. */
+const paperWords: Readonly<Record<string, string>> = {
+  height: 'size',
+  width: 'size',
+  depth: 'size',
+  scale: 'size',
+  sheets: 'size',
+  glueStrips: 'strips of paper',
+  ids: 'edge numbers',
 };
 
 /** Names an edit at an edge by what the edge is in a result before or after it. */
@@ -39,6 +56,10 @@ function edgeEditWords(edit: EdgeEdit, result: JobResult): string {
       return piece === null ? 'fold made' : `fold made in ${piece}`;
     case 'flap':
       return flapWords[edit.side](number ?? 'an edge');
+    case 'lock': {
+      const place = number === null ? (piece ? ` in ${piece}` : '') : ` at ${number}`;
+      return `${lockWords[edit.as]}${place}`;
+    }
   }
 }
 
@@ -68,6 +89,8 @@ export function editWords(edits: readonly DocumentEdit[], result: JobResult): st
       return `split of ${parts}`;
     case 'merge':
       return `merging of ${parts}`;
+    case 'assign':
+      return `faces given to ${parts}`;
     case 'again':
       return `another net for ${parts}`;
     case 'name':
@@ -75,7 +98,12 @@ export function editWords(edits: readonly DocumentEdit[], result: JobResult): st
     case 'cut':
     case 'join':
     case 'flap':
+    case 'lock':
       return edgeEditWords(first, result);
+    case 'paper': {
+      const [option = ''] = Object.keys(first.options);
+      return `change of ${paperWords[option] ?? 'paper'}`;
+    }
     default:
       return words[first.kind];
   }

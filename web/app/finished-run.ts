@@ -1,4 +1,5 @@
 import type { TimedResult } from '../core/client.js';
+import type { EdgeLock } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
@@ -14,5 +15,7 @@ export interface FinishedRun {
   /** The form as it was then. */
   fields: FieldValues;
   pictures: RunPictures;
+  /** Edges that are always folds, or always cut. */
+  locks: readonly EdgeLock[];
   result: TimedResult;
 }

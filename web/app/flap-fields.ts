@@ -12,6 +12,7 @@ export class FlapFields extends Panel {
   private readonly side = this.find('#flap-side', HTMLSelectElement);
   private readonly height = this.find('#flap-height', HTMLInputElement);
 
+  private readonly strips = this.find('#strips', HTMLInputElement);
   private readonly ids = this.find('#ids', HTMLSelectElement);
 
   constructor(place: StudioPlace) {
@@ -23,10 +24,11 @@ export class FlapFields extends Panel {
   }
 
   /** What the fields say now; they must be valid. */
-  read(): Pick<Settings, 'flap-side' | 'flaps' | 'ids'> {
+  read(): Pick<Settings, 'flap-side' | 'flaps' | 'glue-strips' | 'ids'> {
     return {
       'flap-side': sides.find((side) => side === this.side.value) ?? 'one',
       flaps: this.side.value === 'none' ? 'none' : this.flapHeight(),
+      'glue-strips': this.strips.checked ? 'all' : 'none',
       ids: idPlaces.find((place) => place === this.ids.value) ?? defaultOptions.ids,
     };
   }

@@ -1,6 +1,9 @@
 import type { JobResult, Piece } from '../model/job.js';
+import type { Vector } from '../model/vector.js';
 import type { DrawingFailure } from '../view/drawing.js';
+import type { Painted } from '../view/model-message.js';
 import { modelView } from '../view/model-view.js';
+import { BrushSwitch } from './brush-switch.js';
 import { FoldingPanel } from './folding-panel.js';
 import { LooksSwitch } from './looks-switch.js';
 import { Panel } from './panel.js';
@@ -10,6 +13,13 @@ import type { RunPictures } from './run-pictures.js';
 interface ShownModel {
   vertices: Float32Array | Float64Array;
   faces: Int32Array;
+}
+
+export interface ModelListener {
+  /** A part of the model was clicked. */
+  pick(part: number): void;
+  /** Faces were painted in the colour of a part; they are shown so until `paint` is called. */
+  paint(painted: Painted): void;
 }
 
 const excuses: Readonly<Record<DrawingFailure, string>> = {
@@ -25,8 +35,11 @@ export class ModelPanel extends Panel {
   private readonly name = this.find('#model-name', HTMLElement);
   private readonly view = modelView(this.picture, this.place.life, {
     onFailure: (failure) => this.excuse(excuses[failure]),
-    onPick: (part) => this.onPick(part),
+    onPick: (part) => this.listener.pick(part),
+    isPainting: () => this.brush.isOn,
+    onPaint: (painted) => this.listener.paint(painted),
   });
+  private readonly brush = new BrushSwitch(this.place);
   private readonly folding = new FoldingPanel(this.place, (time) =>
     this.view.post({ type: 'time', time }),
   );
@@ -34,10 +47,9 @@ export class ModelPanel extends Panel {
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
 
-  /** @param onPick is told the part of the model that was clicked */
   constructor(
     place: StudioPlace,
-    private readonly onPick: (part: number) => void,
+    private readonly listener: ModelListener,
   ) {
     super(place);
   }
@@ -52,6 +64,7 @@ export class ModelPanel extends Panel {
     this.name.textContent = run.modelName;
     this.run = run;
     this.folding.clear();
+    this.brush.offered = false;
     this.looks.offer(null);
     this.view.post({ type: 'model', vertices, faces });
   }
@@ -61,6 +74,7 @@ export class ModelPanel extends Panel {
     this.name.textContent = name;
     this.run = null;
     this.folding.clear();
+    this.brush.offered = false;
     this.view.post({ type: 'model', vertices, faces, keepsView });
   }
 
@@ -73,6 +87,7 @@ export class ModelPanel extends Panel {
     const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
     if (covered !== model.faces.length / 3) return;
     this.view.post({ type: 'folding', model, pieces });
+    this.brush.offered = true;
     this.folding.offer(pieces);
   }
 
@@ -84,6 +99,11 @@ export class ModelPanel extends Panel {
   /** Colours the faces by their parts. */
   paint(labels: Int32Array): void {
     this.view.post({ type: 'labels', labels });
+  }
+
+  /** Lights edges, and looks at the model from a direction unless that is null. */
+  light(edges: Int32Array, from: Vector | null): void {
+    this.view.post({ type: 'lights', edges, from });
   }
 
   /** Lets parts stand out from all others, unless there are none. */

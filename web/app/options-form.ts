@@ -5,6 +5,7 @@ import { paperCalled, paperSizes, type PaperSize } from '../model/paper.js';
 import { defaultSettings } from '../api/written-options.js';
 import { make } from './dom.js';
 import type { FacesField } from './faces-field.js';
+import type { FieldValues } from './pending-settings.js';
 import { fill } from './fill.js';
 import { FlapFields } from './flap-fields.js';
 import { MoreOptions } from './more-options.js';
@@ -113,6 +114,21 @@ export class OptionsForm extends Panel {
     if (faces !== undefined) this.more.faces.fill(faces);
     // As if a person had: what depends on the fields looks at them again.
     this.form.dispatchEvent(new Event('input'));
+  }
+
+  /** Fills in fields of sheets, size, flaps and numbers, by their ids; a kind of size comes before its number. */
+  fillPaper(values: FieldValues): void {
+    for (const [id, value] of values) {
+      const field = this.find(`#${id}`, HTMLElement);
+      const size = id === 'paper' ? paperCalled(value) : null;
+      if (size) this.choosePaper(size);
+      else if (field instanceof HTMLSelectElement) field.value = value;
+      else if (field instanceof HTMLInputElement && field.type === 'checkbox') {
+        field.checked = value === 'true';
+      } else if (field instanceof HTMLInputElement) field.value = value;
+      // As if a person had: what depends on the field looks at it again.
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+    }
   }
 
   /** What the fields say now; null after showing the person the field that makes no sense. */

@@ -43,6 +43,15 @@ export class PendingSettings extends Panel {
     this.mark();
   }
 
+  /** Brings the note above the result into view, with the keyboard at the button that applies them. */
+  reveal(): void {
+    for (const note of this.notes) {
+      const button = note.querySelector('button');
+      button?.focus({ preventScroll: true });
+      button?.scrollIntoView({ block: 'center' });
+    }
+  }
+
   private fields(): Field[] {
     return [...this.form.querySelectorAll<Field>('input:not([type=file]), select')];
   }

@@ -4,6 +4,12 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { ProgressWords } from './progress-words.js';
 
+/** Where progress is shown; `isQuiet`: nothing is scrolled for it. */
+export interface ProgressPlace {
+  host: HTMLElement;
+  isQuiet?: boolean;
+}
+
 /** The card that tells how far a run is, with the button that ends it. */
 export class ProgressPanel extends Panel {
   private readonly card = this.find('#progress', HTMLElement);
@@ -38,15 +44,15 @@ export class ProgressPanel extends Panel {
   }
 
   /** Starts anew for a model, in its own place or in another one. */
-  begin(modelName: string, place?: HTMLElement): void {
-    if (place) place.append(this.card);
+  begin(modelName: string, place?: ProgressPlace): void {
+    if (place) place.host.append(this.card);
     else this.announcement.before(this.card);
     this.state = new ProgressWords();
     this.model.textContent = modelName;
     this.isOpen = true;
     this.card.hidden = false;
     this.show();
-    this.card.scrollIntoView({ block: 'nearest' });
+    if (place?.isQuiet !== true) this.card.scrollIntoView({ block: 'nearest' });
   }
 
   /** Takes an event of the run in. */

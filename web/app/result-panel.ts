@@ -1,5 +1,5 @@
 import type { Notice } from '../model/job.js';
-import { resultNotices } from '../model/result-notices.js';
+import { otherNotices, resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
@@ -155,7 +155,7 @@ export class ResultPanel extends Panel {
 
   /** The report in words. */
   private showRemarks({ result, settings }: FinishedRun, printed: readonly Notice[]): void {
-    const notices = resultNotices(result, settings.margin, printed);
+    const notices = otherNotices(resultNotices(result, settings.margin, printed));
     const remarks = [
       ...remarkList('Repaired before unfolding', repairRemarks(result)),
       ...remarkList('Worth knowing', noticeRemarks(notices)),

@@ -2,10 +2,12 @@ import type { TimedResult } from '../core/client.js';
 import type { JobResult, Notice } from '../model/job.js';
 import type { PaperSize } from '../model/paper.js';
 import { paperUse } from '../model/paper-use.js';
+import { conclusionOf, findingsOn, type Conclusion } from '../model/verdict.js';
 import { measureSeams } from '../model/seam-measures.js';
 import { count } from '../words/numbers.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
 import { finishedSize } from '../words/summary.js';
+import { headline } from '../words/verdict.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
@@ -31,6 +33,18 @@ export function leadSentence(result: JobResult, paper: PaperSize): string {
   if (result.pieces.length === 1) return `All in one piece, on ${sheets}.`;
   if (result.pieces.length === result.parts) return `${parts}, each in one piece, on ${sheets}.`;
   return `${parts} in ${pieces} on ${sheets}.`;
+}
+
+/** Whether nobody can build a result, other than because it is only a part of one. */
+export function isHopeless(result: JobResult, { level }: Conclusion): boolean {
+  return level === 'red' && finishedParts(result) === result.parts;
+}
+
+/** That a result cannot be built, in one sentence; null if it can be; `margin`: around each sheet, mm. */
+export function hopeless(result: JobResult, margin: number): string | null {
+  const findings = findingsOn(result, margin);
+  const conclusion = conclusionOf(findings);
+  return isHopeless(result, conclusion) ? sentence(headline(conclusion, findings.length)) : null;
 }
 
 /** Seconds as people say them: 0.4 s, 12 s, 2 min 5 s. */

@@ -1,11 +1,12 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import { lightEdges } from '../view/edge-lights.js';
+import { signLocks } from '../view/lock-signs.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture, type PiecePaint } from '../view/sheet-picture.js';
 import { make } from './dom.js';
-import type { LightsBySheet } from './edge-lighting.js';
+import type { LightsBySheet, LocksBySheet } from './edge-lighting.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -68,6 +69,7 @@ export class SheetList extends Panel {
   private pieces: readonly Piece[] = [];
   private marks: MarksBySheet = new Map();
   private lights: LightsBySheet = new Map();
+  private locks: LocksBySheet = new Map();
   private selected: readonly number[] = [];
 
   constructor(
@@ -138,6 +140,7 @@ export class SheetList extends Panel {
     this.list.replaceChildren(...sheets);
     this.mark(this.marks);
     this.light(this.lights);
+    this.lock(this.locks);
     this.select(this.selected);
   }
 
@@ -156,6 +159,15 @@ export class SheetList extends Panel {
     this.sheets.forEach((sheet, index) => {
       const svg = sheet.querySelector('svg');
       if (svg) lightEdges(svg, lights.get(index) ?? []);
+    });
+  }
+
+  /** Puts signs of locks on the sheets, in place of those before. */
+  lock(locks: LocksBySheet): void {
+    this.locks = locks;
+    this.sheets.forEach((sheet, index) => {
+      const svg = sheet.querySelector('svg');
+      if (svg) signLocks(svg, locks.get(index) ?? []);
     });
   }
 

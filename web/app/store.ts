@@ -270,6 +270,7 @@ export class Store {
         settings,
         fields,
         pictures,
+        locks: [],
         result,
       };
       return await this.present(run, { session, isWhole });
@@ -333,7 +334,8 @@ export class Store {
     if ('type' in outcome) return outcome;
     if (!this.shownRun || runs !== this.runs) return { type: 'nothing' };
     const { state, position } = outcome;
-    const run = { ...this.shownRun, settings: state.wishes.settings, result: state.result };
+    const { settings, locks } = state.wishes;
+    const run = { ...this.shownRun, settings, locks, result: state.result };
     return this.present(run, { session, position, edits: step.edits });
   }
 

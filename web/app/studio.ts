@@ -4,14 +4,17 @@ import { loadRenderer } from '../browser/renderer-loader.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import { remedyEdits, type Remedy } from '../model/remedies.js';
 import { changedSettings, type Options } from '../api/written-options.js';
+import type { Painted } from '../view/model-message.js';
 import { missingSupport } from './browser-support.js';
 import { Checking } from './checking.js';
 import { triangleWords } from './check-words.js';
 import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
 import { EdgeTool } from './edge-tool.js';
-import type { Ending, Failure } from './ending.js';
+import type { Ending } from './ending.js';
+import { leadOf, nextSteps, notes } from './ending-words.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
@@ -23,9 +26,9 @@ import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
 import { PendingSettings } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
-import { ProgressPanel } from './progress-panel.js';
+import { PaperFollower } from './paper-follower.js';
+import { ProgressPanel, type ProgressPlace } from './progress-panel.js';
 import { type DrawnRun, ResultPanel } from './result-panel.js';
-import { leadSentence } from './result-words.js';
 import { SampleGallery } from './sample-gallery.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
@@ -33,6 +36,7 @@ import { StepsPanel } from './steps-panel.js';
 import { Store } from './store.js';
 import type { Drawing } from './store-needs.js';
 import { listenForUndo } from './undo-keys.js';
+import { VerdictPanel } from './verdict-panel.js';
 import { Workshop } from './workshop.js';
 
 /** Ms after the studio is complete: its pictures shall be there first. */
@@ -40,22 +44,6 @@ const preparation = 300;
 
 /** Ms before the progress of a change is shown: most of the time it is done by then. */
 const editPatience = 500;
-
-/** What a person can do about a failure. */
-const nextSteps: Readonly<Record<Failure['cause'], string>> = {
-  file: 'Choose another model, or repair this one and try again.',
-  job: 'Change the settings and try again, or choose another model.',
-  crash: 'Nothing else is lost, and the next run starts afresh. A smaller model may work.',
-};
-
-/** What is said of the pictures of a run that has no result. */
-const notes: Readonly<Partial<Record<Ending['type'], string>>> = {
-  cancelled: 'Cancelled. This is how far it came.',
-  failed: 'This is how far it came.',
-  undrawn: 'The nets were found, but not drawn.',
-};
-
-const leadOf = ({ result, settings }: FinishedRun): string => leadSentence(result, settings.paper);
 
 export interface StudioListener {
   /** The studio is complete, and begins to load what a run needs. */
@@ -70,6 +58,7 @@ export class Studio extends Panel {
   private readonly message = new MessagePanel(this.place);
   private readonly form = new OptionsForm(this.place, () => void this.submit());
   private readonly settings = new PendingSettings(this.place);
+  private readonly follower = new PaperFollower(this.form, this.settings);
   private readonly gallery = new SampleGallery(this.place, (model) => {
     void this.choose(model);
   });
@@ -80,6 +69,7 @@ export class Studio extends Panel {
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly edges: EdgeTool;
+  private readonly verdict: VerdictPanel;
   private readonly welcome = this.find('#welcome', HTMLElement);
   /** Whether this browser can run it. */
   private isOpen = false;
@@ -100,10 +90,16 @@ export class Studio extends Panel {
     });
     this.edges = new EdgeTool(place, this.store, {
       light: (lights) => sheets.light(lights),
+      lock: (signs) => sheets.lock(signs),
+      lightModel: (lit, from) => this.workshop.light(lit, from),
       reveal: (sheet) => sheets.reveal(sheet),
       change: (edit) => this.edit(this.store.apply([edit]), (run) => `Done: ${leadOf(run)}`),
     });
-    this.workshop = new Workshop(place, pick);
+    this.verdict = new VerdictPanel(place, this.store, {
+      show: (finding) => this.edges.walkThrough(finding),
+      mend: (remedy) => this.mend(remedy),
+    });
+    this.workshop = new Workshop(place, { pick, paint: (painted) => void this.paint(painted) });
     this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
@@ -272,17 +268,40 @@ export class Studio extends Panel {
   }
 
   /** Another run may have used the panels of the result that is on the page. */
-  private comeBack({ pictures, result, fields }: FinishedRun): void {
+  private comeBack(run: FinishedRun): void {
+    const { pictures, result } = run;
     if (!this.workshop.shows(pictures)) {
       this.workshop.finish(pictures, result);
       this.workshop.select(this.store.selection);
     }
-    this.settings.compareWith(fields);
+    this.follower.follow(run);
   }
 
-  private async change(edits: readonly DocumentEdit[]): Promise<void> {
-    const ending = await this.edit(this.store.apply(edits), (run) => `Done: ${leadOf(run)}`);
+  /** Does what helps; what takes a new search is left to the person, in the form. */
+  private mend(remedy: Remedy): void {
+    const edits = remedyEdits(remedy);
+    if (edits) void this.change(edits, { host: this.verdict.progress });
+    else if (remedy.kind === 'faces') {
+      this.form.faces.set(remedy.faces);
+      this.settings.reveal();
+    }
+  }
+
+  /** Gives faces to the part in whose colour they were painted; that part counts from 0. */
+  private async paint({ faces, part }: Painted): Promise<void> {
+    // The model that is painted stays where it is.
+    const where = { host: this.parts.progress, isQuiet: true };
+    const isMade = await this.change([{ kind: 'assign', faces, part: part + 1 }], where);
+    const { run, work } = this.store;
+    if (!isMade && run && work !== 'running') this.workshop.repaint(run.result.labels);
+  }
+
+  /** Makes edits; false if nothing came of them. */
+  private async change(edits: readonly DocumentEdit[], where?: ProgressPlace): Promise<boolean> {
+    const done = (run: FinishedRun): string => `Done: ${leadOf(run)}`;
+    const ending = await this.edit(this.store.apply(edits), done, where);
     if (ending.type === 'refused') this.tellUnchanged(ending.refusal.params.text);
+    return ending.type === 'shown';
   }
 
   /** Names a part: only texts on paper change. */
@@ -310,11 +329,15 @@ export class Studio extends Panel {
   }
 
   /** Follows a change of the result to its end, and tells it. */
-  private async edit(change: Promise<Ending>, done: (run: FinishedRun) => string): Promise<Ending> {
+  private async edit(
+    change: Promise<Ending>,
+    done: (run: FinishedRun) => string,
+    where: ProgressPlace = { host: this.parts.progress },
+  ): Promise<Ending> {
     this.message.clear();
     const begin = (): void => {
       const { run, work } = this.store;
-      if (run && work === 'editing') this.progress.begin(run.model.name, this.parts.progress);
+      if (run && work === 'editing') this.progress.begin(run.model.name, where);
     };
     const late = setTimeout(begin, editPatience);
     const ending = await change;
@@ -343,13 +366,14 @@ export class Studio extends Panel {
   }
 
   private show(drawn: DrawnRun, isRenaming: boolean): void {
-    const { result, pictures, fields } = drawn.run;
+    const { result, pictures } = drawn.run;
     this.result.show(drawn, isRenaming);
     if (isRenaming) this.workshop.rename(result.pieces);
     else this.workshop.finish(pictures, result);
-    this.settings.compareWith(fields);
+    this.follower.follow(drawn.run);
+    this.verdict.offer(drawn.run);
     this.parts.offer(result, isRenaming);
-    this.edges.offer(result);
+    this.edges.offer(drawn.run);
   }
 
   private tellUnchanged(reason: string): void {

@@ -1,7 +1,8 @@
 import type { JobEvent, JobResult, Piece } from '../model/job.js';
+import type { Vector } from '../model/vector.js';
 import { ChartPanel } from './chart-panel.js';
 import { MatrixPanel } from './matrix-panel.js';
-import { ModelPanel } from './model-panel.js';
+import { ModelPanel, type ModelListener } from './model-panel.js';
 import { NetPanel } from './net-panel.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -36,10 +37,9 @@ export class Workshop extends Panel {
   /** Those that the panels show. */
   private shownPictures: RunPictures | null = null;
 
-  /** @param onPick is told the part of the model that was clicked */
-  constructor(place: StudioPlace, onPick: (part: number) => void) {
+  constructor(place: StudioPlace, listener: ModelListener) {
     super(place);
-    this.model = new ModelPanel(place, onPick);
+    this.model = new ModelPanel(place, listener);
   }
 
   /** Shows the room in which a run is watched. */
@@ -125,6 +125,11 @@ export class Workshop extends Panel {
     this.find('#result-pictures', HTMLElement).append(this.pictures);
   }
 
+  /** Colours the faces of the model by their parts again, after they were painted. */
+  repaint(labels: Int32Array): void {
+    this.model.paint(labels);
+  }
+
   /** Takes the pieces of the result with other names; the pictures stay as they are. */
   rename(pieces: readonly Piece[]): void {
     this.model.rename(pieces);
@@ -140,6 +145,11 @@ export class Workshop extends Panel {
   /** Folds or unfolds the finished model, from 0 (flat) to 1 (the model). */
   fold(time: number): void {
     this.model.fold(time);
+  }
+
+  /** Lights edges of the model, and looks at it from a direction unless that is null. */
+  light(edges: Int32Array, from: Vector | null): void {
+    this.model.light(edges, from);
   }
 
   /** Lets parts of the finished model stand out from all others, unless there are none. */

@@ -6,7 +6,7 @@ import { paperUse } from '../model/paper-use.js';
 import { resultNotices } from '../model/result-notices.js';
 import { glueOf, measureSeams, shrunkHeights, type MeasuredSeam } from '../model/seam-measures.js';
 import type { StageSeconds } from '../model/stage-seconds.js';
-import { verdictOf, type Finding } from '../model/verdict.js';
+import { verdictOf, type Conclusion, type Finding } from '../model/verdict.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
 
 /** What a report is made of. */
@@ -87,7 +87,7 @@ export interface Report {
   ids: { printed: number; skipped: string[] };
   notices: (Notice & Told)[];
   /** Whether the model can be built as laid out, and what stands against it. */
-  verdict: Finding[];
+  verdict: (Conclusion | Finding)[];
   seconds: StageSeconds;
   search: { generations: number; moves: number };
   result_hash: string;
@@ -158,7 +158,7 @@ export function makeReport(input: ReportInput): Report {
       ...notice,
       text: phraseOf(notice),
     })),
-    verdict: verdictOf(result),
+    verdict: verdictOf(result, job.margin),
     seconds: input.seconds,
     search: result.search,
     result_hash: result.hash,

@@ -2,6 +2,7 @@ import { cutPairs, type CutSide } from './borders.js';
 import { foldTree } from './fold-tree.js';
 import type { Piece } from './job.js';
 import { joinOrder } from './join-order.js';
+import { defaultPrint } from './print-options.js';
 import { seamsOf, type Seam } from './seams.js';
 
 /** What a person does with one piece. */
@@ -21,18 +22,25 @@ export interface AssemblyStep {
 }
 
 /**
+ * What a piece is folded along.
+ *
  * Creasing all folds one way and turning the few others afterwards is easier than to look at every
  * one: Xi et al., section 5.2. What is not drawn on paper is not folded.
+ *
+ * @param flatFold folds flatter than this many degrees are not drawn
  */
-function creasesOf({ assignments, foldAngles }: Piece, flatFold: number) {
+export function creasesOf(
+  { assignments, foldAngles }: Piece,
+  flatFold = defaultPrint.flatFold,
+): Pick<AssemblyStep, 'folds' | 'crease' | 'turn'> {
   const drawn = [...assignments].map((_, edge) => Math.abs(foldAngles[edge]!) >= flatFold);
   const edgesOf = (letter: string): number[] =>
     [...assignments].flatMap((kind, edge) => (kind === letter && drawn[edge] ? [edge] : []));
   const [mountains, valleys] = [edgesOf('M'), edgesOf('V')];
   const folds = mountains.length + valleys.length;
   return valleys.length > mountains.length
-    ? { folds, crease: 'valley' as const, turn: mountains }
-    : { folds, crease: 'mountain' as const, turn: valleys };
+    ? { folds, crease: 'valley', turn: mountains }
+    : { folds, crease: 'mountain', turn: valleys };
 }
 
 /**
@@ -41,7 +49,10 @@ function creasesOf({ assignments, foldAngles }: Piece, flatFold: number) {
  *
  * @param flatFold folds flatter than this many degrees are not drawn
  */
-export function assemblySteps(pieces: readonly Piece[], flatFold = 3): AssemblyStep[] {
+export function assemblySteps(
+  pieces: readonly Piece[],
+  flatFold = defaultPrint.flatFold,
+): AssemblyStep[] {
   const pairs = cutPairs(pieces);
   const done = new Set<number>();
   return joinOrder(pieces).map(({ piece, partners }) => {

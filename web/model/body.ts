@@ -5,7 +5,8 @@ import type { Model, Piece } from './job.js';
 import { joinOrder } from './join-order.js';
 import { posed, type Pose } from './pose.js';
 import { vectorAt, type Vector } from './vector.js';
-import { wayOut, type Triangles } from './way-out.js';
+import type { Triangles } from './facing.js';
+import { wayOut } from './way-out.js';
 
 /** What the way of a piece into the model depends on. */
 export interface Body {

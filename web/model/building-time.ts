@@ -38,7 +38,7 @@ function outlineOf(piece: Piece): number {
 /** How long it takes to build a model; see `seconds`. */
 export function buildingTime(
   { pieces, seams }: Pick<JobResult, 'pieces' | 'seams'>,
-  steps: readonly AssemblyStep[],
+  steps: readonly Pick<AssemblyStep, 'folds'>[],
 ): BuildingTime {
   const cuts = pieces.reduce((sum, piece) => sum + outlineOf(piece), 0);
   const folds = steps.reduce((sum, step) => sum + step.folds, 0);

@@ -1,8 +1,20 @@
-import type { DocumentEdit, FlapChoiceSide } from './document-edits.js';
+import type { DocumentEdit, FlapChoiceSide, LockKind } from './document-edits.js';
+import { facesBeside } from './facing.js';
+import type { EdgeLock } from './job-options.js';
 import type { SheetEdge, SheetEdges } from './sheet-edges.js';
 
 /** What can be done at an edge. */
-export type EdgeAction = 'cut' | 'join' | 'turn-flap' | 'both-flaps' | 'no-flap' | 'usual-flap';
+export type EdgeAction =
+  | 'cut'
+  | 'join'
+  | 'turn-flap'
+  | 'both-flaps'
+  | 'no-flap'
+  | 'usual-flap'
+  | 'lock-fold'
+  | 'lock-cut'
+  | 'lock-free'
+  | 'give-face';
 
 /** Where the flaps of a cut are, seen from one of its sides. */
 export type FlapPlace = 'here' | 'there' | 'both' | 'none';
@@ -15,18 +27,54 @@ export function flapPlace(edges: SheetEdges, edge: SheetEdge): FlapPlace {
   return there ? 'there' : 'none';
 }
 
-/** The edits for all that can be done at an edge now; an edge at which the model ends has none. */
-export function edgeEdits(edges: SheetEdges, edge: SheetEdge): Map<EdgeAction, DocumentEdit> {
+/** What an edge is locked as. */
+export function lockOf({ name: [v, w] }: SheetEdge, locks: readonly EdgeLock[]): LockKind {
+  const own = locks.find(({ from, to }) => (from === v && to === w) || (from === w && to === v));
+  return own?.as ?? 'free';
+}
+
+type Edits = Map<EdgeAction, DocumentEdit>;
+
+function addLocks(edits: Edits, { name: edge }: SheetEdge, now: LockKind): Edits {
+  for (const as of ['fold', 'cut', 'free'] as const) {
+    if (as !== now) edits.set(`lock-${as}`, { kind: 'lock', edge, as });
+  }
+  return edits;
+}
+
+/** Hands the face at this side of a cut over to the part at the other side; null within one part. */
+function giftAt(edges: SheetEdges, edge: SheetEdge): DocumentEdit | null {
+  const { model, pieces } = edges.result;
+  const partner = edges.partnerOf(edge);
+  const [own, other] = [pieces[edge.piece]!, partner && pieces[partner.piece]!];
+  if (!other || other.part === own.part) return null;
+  const face = facesBeside(model, edge.name).find((one) => own.sources.includes(one));
+  return face === undefined ? null : { kind: 'assign', faces: [face], part: other.part + 1 };
+}
+
+/**
+ * The edits for all that can be done at an edge now; an edge at which the model ends has none.
+ *
+ * @param lock what the edge is locked as: it stays so whatever else is asked for
+ */
+export function edgeEdits(edges: SheetEdges, edge: SheetEdge, lock: LockKind = 'free'): Edits {
   const { kind, name } = edge;
-  if (kind === 'border') return new Map();
-  if (kind !== 'cut') return new Map([['cut', { kind: 'cut', edge: name }]]);
+  const edits: Edits = new Map();
+  if (kind === 'border') return edits;
+  if (kind !== 'cut') {
+    if (lock === 'free') edits.set('cut', { kind: 'cut', edge: name });
+    return addLocks(edits, edge, lock);
+  }
   const flap = (side: FlapChoiceSide): DocumentEdit => ({ kind: 'flap', edge: name, side });
   const place = flapPlace(edges, edge);
-  const edits = new Map<EdgeAction, DocumentEdit>([['join', { kind: 'join', edge: name }]]);
+  if (lock === 'free') edits.set('join', { kind: 'join', edge: name });
   // The piece of this side lies at the left of the edge, which is the first one.
   if (place === 'here') edits.set('turn-flap', flap('second'));
   if (place === 'there') edits.set('turn-flap', flap('first'));
   if (place !== 'both') edits.set('both-flaps', flap('both'));
   if (place !== 'none') edits.set('no-flap', flap('none'));
-  return edits.set('usual-flap', flap('auto'));
+  edits.set('usual-flap', flap('auto'));
+  const gift = giftAt(edges, edge);
+  if (gift && lock === 'free') edits.set('give-face', gift);
+  return addLocks(edits, edge, lock);
 }

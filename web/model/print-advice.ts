@@ -9,10 +9,33 @@ const leastFill = 0.15;
 /** Pieces that are smaller in both directions get lost; mm. */
 const leastPiece = 10;
 
+/** How much of the last sheet is used, from 0 to 1; `margin`: around each sheet, mm. */
+export function lastSheetFill(result: JobResult, margin: number): number {
+  return sheetFills(result, margin).at(-1)!;
+}
+
+/** Whether the last of several sheets is almost empty; `margin`: around each sheet, mm. */
+export function isSheetSpare(result: JobResult, margin: number): boolean {
+  return result.sheets.length > 1 && lastSheetFill(result, margin) < leastFill;
+}
+
+/** A size a little below this one, at which fewer sheets do. */
+export interface Smaller {
+  what: 'height' | 'width' | 'depth';
+  size_mm: number;
+  sheets: number;
+}
+
+/** The engine's notice of such a size; null if there is none. */
+export function smallerNotice({ notices }: JobResult): Smaller | null {
+  const notice = notices.find(({ code }) => code === 'smaller-saves-sheets');
+  return notice ? (notice.params as unknown as Smaller) : null;
+}
+
 function emptySheet(result: JobResult, margin: number): Notice[] {
+  if (!isSheetSpare(result, margin)) return [];
   const last = result.sheets.length - 1;
-  const fill = sheetFills(result, margin)[last]!;
-  if (last === 0 || fill >= leastFill) return [];
+  const fill = lastSheetFill(result, margin);
   const pieces = result.pieces.filter(({ sheet }) => sheet === last).map(({ name }) => name);
   return [
     { code: 'empty-sheet', params: { sheet: last + 1, percent: Math.round(100 * fill), pieces } },

@@ -13,6 +13,26 @@ function overlaps(result: JobResult): Notice[] {
   return pieces.length > 0 ? [{ code: 'overlapping-pieces', params: { pieces } }] : [];
 }
 
+/** Codes of the notices that the rows of a verdict tell as well. */
+const inVerdict: ReadonlySet<string> = new Set([
+  'overlapping-pieces',
+  'short-seams',
+  'missing-flaps',
+  'missing-numbers',
+  'missing-names',
+  'tiny-pieces',
+  'empty-sheet',
+  'smaller-saves-sheets',
+  'weak-necks',
+  'no-motion',
+  'unchecked-pieces',
+]);
+
+/** What remains to be told beside a verdict. */
+export function otherNotices(notices: readonly Notice[]): Notice[] {
+  return notices.filter(({ code }) => !inVerdict.has(code));
+}
+
 /**
  * All that a person should know about a result, repairs of the model aside: the engine's notices and those
  * of the drawing, what has no room, and what to think of before printing.

@@ -66,6 +66,12 @@ export function wantedSeams(result: JobResult): MeasuredSeam[] {
   return measureSeams(result).filter(({ isJoint, length }) => !isJoint && length > wantedLength);
 }
 
+/** The seams that want a flap and have neither one nor a loose strip in its place. */
+export function bareSeams(result: JobResult): MeasuredSeam[] {
+  const joined = new Set(result.strips.map(({ id }) => id));
+  return wantedSeams(result).filter(({ flap, seam }) => flap === 0 && !joined.has(seam.name));
+}
+
 /**
  * Heights of the flaps that are lower than wished for, ascending, mm; as many as `flaps.shrunk` counts.
  * All flaps are taken to be wished for as high, which only differs where a person chose for single edges.

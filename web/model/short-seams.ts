@@ -44,8 +44,15 @@ function canGrow({ model, pieces, sheets }: JobResult, factor: number, margin: n
   );
 }
 
+/** A finished size, mm: one of these, or none. */
+export interface Size {
+  height?: number;
+  width?: number;
+  depth?: number;
+}
+
 /** The size, in tens of mm, at which edges are `factor` times as long; none if it cannot be printed. */
-function largerSize(result: JobResult, factor: number, margin: number): { [side: string]: number } {
+export function largerSize(result: JobResult, factor: number, margin: number): Size {
   const extents = extentsOf(result.model.vertices);
   const longest = Math.max(...extents);
   const side = extents[1] >= leastUpright * longest ? 1 : extents.indexOf(longest);
@@ -67,26 +74,37 @@ function roundedDown(number: number): number {
   return Math.floor(number / step) * step;
 }
 
-/**
- * So few faces that edges are `factor` times as long, as a surface is shared out among them; none if
- * they are too few for a shape.
- */
-function fewerFaces({ model, pieces }: JobResult, factor: number): { faces?: number } {
-  const faces = roundedDown((reserve * model.faces.length) / 3 / factor ** 2);
+/** This share of the faces, rounded down; none if they are too few for a shape. */
+export function fewerFaces({ model, pieces }: JobResult, share: number): { faces?: number } {
+  const faces = roundedDown((share * model.faces.length) / 3);
   const isPossible = faces >= fewestFaces && flatShare(pieces) <= mostFlat;
   return isPossible ? { faces } : {};
 }
 
+/** A size in mm, and a number of faces, at which seams are long enough, as far as there are any that are of use. */
+export interface LongerSeams extends Size {
+  faces?: number;
+}
+
 /**
- * One notice if half of the seams are too short to be glued well at this size, with the size and the number of
- * faces at which they are not, as far as there are any that are of use.
+ * What makes seams long enough: a larger model, or fewer faces, among which its surface is shared out.
+ *
+ * @param margin around each sheet, mm
+ * @param wanted how long half of them are to be at least, mm
+ */
+export function longerSeams(result: JobResult, margin: number, wanted = goodSeam): LongerSeams {
+  const factor = wanted / (medianSeam(result) ?? wanted);
+  if (factor <= 1) return {};
+  return { ...largerSize(result, factor, margin), ...fewerFaces(result, reserve / factor ** 2) };
+}
+
+/**
+ * One notice if half of the seams are too short to be glued well at this size, with what makes them longer.
  *
  * @param margin around each sheet, mm
  */
 export function shortSeams(result: JobResult, margin: number): Notice[] {
   const length = medianSeam(result);
   if (length === null || length >= goodSeam) return [];
-  const factor = goodSeam / length;
-  const better = { ...largerSize(result, factor, margin), ...fewerFaces(result, factor) };
-  return [{ code: 'short-seams', params: { median_mm: length, ...better } }];
+  return [{ code: 'short-seams', params: { median_mm: length, ...longerSeams(result, margin) } }];
 }

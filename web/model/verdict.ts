@@ -1,25 +1,57 @@
-/** Whether a model can be built as it is laid out, and what stands against it, for programs. */
-import type { JobResult, Notice } from './job.js';
+/** Whether a model can be built as it is laid out, and what stands against it. */
+import { creasesOf } from './assembly-steps.js';
+import { buildingTime } from './building-time.js';
+import type { JobResult, Notice, Piece } from './job.js';
 import { namelessPieces } from './left-out.js';
-import type { MessageParams } from './message.js';
-import { tinyPieces } from './print-advice.js';
+import { median } from './median.js';
+import { isSheetSpare, lastSheetFill, smallerNotice, tinyPieces } from './print-advice.js';
 import { overlappingPieces } from './result-notices.js';
 import { measureSeams } from './seam-measures.js';
-import { goodSeam, medianSeam } from './short-seams.js';
+import { goodSeam } from './short-seams.js';
 
-/** green: nothing stands against it; amber: it takes patience or skill; red: it cannot be built so. */
+/** green: nothing stands against it; amber: it takes patience or skill, or costs paper; red: it cannot be built so. */
 export type Level = 'green' | 'amber' | 'red';
 
-export interface Finding {
-  code: string;
+type None = Record<never, never>;
+type Pieces = { pieces: string[] };
+
+/** What is found, with what its sentence needs; lengths in mm, shares from 0 to 1. */
+export interface FindingParams {
+  unfinished: None;
+  'overlapping-pieces': Pieces;
+  'beyond-paper': Pieces;
+  'short-seams': { median_mm: number };
+  'missing-flaps': { share: number };
+  'missing-numbers': { share: number };
+  'missing-names': Pieces;
+  'tiny-pieces': Pieces;
+  'weak-necks': Pieces;
+  /** `unchecked`: how many of them nobody has looked at; for the others no way was found. */
+  'unproved-folding': Pieces & { unchecked: number };
+  'spare-sheet': { sheets: number; percent: number };
+  'long-building': { seconds: number };
+}
+
+export type FindingCode = keyof FindingParams;
+
+interface Counted {
   level: Level;
-  /** How many seams, pieces or faces it is about. */
+  /** How many triangles, seams, pieces or sheets it is about; of the time that building takes, hours. */
   count: number;
-  params: MessageParams;
+}
+
+export type Finding = {
+  [Code in FindingCode]: Counted & { code: Code; params: FindingParams[Code] };
+}[FindingCode];
+
+/** What all findings come to; its count is that of the findings against building it. */
+export interface Conclusion extends Counted {
+  code: 'buildable' | 'hard' | 'not-buildable';
+  params: None;
 }
 
 /** Where half of the seams are shorter, no fingers hold them; mm. */
-const hopelessSeam = 4;
+export const hopelessSeam = 4;
 
 /** Shares of the length of all seams without a flap: tape does for some, but not for most. */
 const manyMissing = 0.1;
@@ -28,19 +60,28 @@ const mostMissing = 0.5;
 /** So many of the seams without a number can be guessed from their neighbours. */
 const manyUnnumbered = 0.1;
 
+/** A weekend; what takes longer is often left unfinished. */
+export const manyHours = 10;
+
+/** mm that rounding may move a piece. */
+const samePlace = 0.01;
+
 function levelOf(value: number, amber: number, red: number): Level {
   if (value > red) return 'red';
   return value > amber ? 'amber' : 'green';
 }
 
 /** Pieces of which something is wrong. */
-function ofPieces(code: string, level: Level, pieces: string[]): Finding {
-  return {
-    code,
-    level: pieces.length > 0 ? level : 'green',
-    count: pieces.length,
-    params: { pieces },
-  };
+function ofPieces<
+  Code extends
+    'overlapping-pieces' | 'beyond-paper' | 'missing-names' | 'tiny-pieces' | 'weak-necks',
+>(code: Code, level: Level, pieces: string[]): Counted & { code: Code; params: Pieces } {
+  const { length: count } = pieces;
+  return { code, level: count > 0 ? level : 'green', count, params: { pieces } };
+}
+
+function namesOf({ pieces }: JobResult, isConcerned: (piece: Piece) => boolean): string[] {
+  return pieces.filter(isConcerned).map(({ name }) => name);
 }
 
 /** Faces that a person wants no paper for. */
@@ -55,16 +96,36 @@ function unfinished({ model, notices, pieces }: JobResult): Finding {
   return { code: 'unfinished', level: count > 0 ? 'red' : 'green', count, params: {} };
 }
 
+function beyondPaper(result: JobResult, margin: number): Finding {
+  const least = margin - samePlace;
+  const sticksOut = ({ x, y, width, height, sheet }: Piece): boolean => {
+    const paper = result.sheets[sheet]!;
+    const [right, top] = [paper.width - x - width, paper.height - y - height];
+    return Math.min(x, y, right, top) < least;
+  };
+  return ofPieces('beyond-paper', 'red', namesOf(result, sticksOut));
+}
+
 function shortSeams(result: JobResult): Finding {
-  const middle = medianSeam(result) ?? goodSeam;
-  const count = measureSeams(result).filter(({ length }) => length < goodSeam).length;
+  const lengths = measureSeams(result).map(({ length }) => length);
+  const middle = lengths.length > 0 ? median(lengths) : goodSeam;
+  const count = lengths.filter((length) => length < goodSeam).length;
   const level = levelOf(-middle, -goodSeam, -hopelessSeam);
   return { code: 'short-seams', level, count, params: { median_mm: middle } };
 }
 
-function missingFlaps({ flaps: { missing, missing_mm, wanted_mm } }: JobResult): Finding {
-  const share = wanted_mm > 0 ? missing_mm / wanted_mm : 0;
-  const count = missing.narrow + missing.thin + missing.blocked + missing.short;
+/** A loose strip of paper does what a flap does. */
+function missingFlaps(result: JobResult): Finding {
+  const { missing, missing_mm, wanted_mm, strips } = result.flaps;
+  const joined = new Set(result.strips.map(({ id }) => id));
+  const stripped = joined.size > 0 ? measureSeams(result) : [];
+  const bare = stripped.reduce(
+    (rest, { seam, length }) => (joined.has(seam.name) ? rest - length : rest),
+    missing_mm,
+  );
+  const all = missing.narrow + missing.thin + missing.blocked + missing.short;
+  const count = Math.max(0, all - strips);
+  const share = count > 0 && wanted_mm > 0 ? Math.max(0, bare) / wanted_mm : 0;
   const level = levelOf(share, manyMissing, mostMissing);
   return { code: 'missing-flaps', level, count, params: { share } };
 }
@@ -75,12 +136,68 @@ function missingNumbers({ ids: { printed, skipped } }: JobResult): Finding {
   return { code: 'missing-numbers', level, count: skipped.length, params: { share } };
 }
 
-function unprovedFolding({ pieces }: JobResult): Finding {
-  const names = pieces.filter(({ motion }) => !motion).map(({ name }) => name);
-  return ofPieces('unproved-folding', 'amber', names);
+function unprovedFolding(result: JobResult): Finding {
+  const unproved = result.pieces.filter(({ motion }) => !motion);
+  const unchecked = unproved.filter(({ foldable }) => foldable === 'unchecked').length;
+  const { length: count } = unproved;
+  const params = { pieces: unproved.map(({ name }) => name), unchecked };
+  return { code: 'unproved-folding', level: count > 0 ? 'amber' : 'green', count, params };
 }
 
-function conclusion(against: readonly Finding[]): Finding {
+function spareSheet(result: JobResult, margin: number): Finding {
+  const isSpare = isSheetSpare(result, margin) || smallerNotice(result) !== null;
+  const percent = Math.round(100 * lastSheetFill(result, margin));
+  const params = { sheets: result.sheets.length, percent };
+  return {
+    code: 'spare-sheet',
+    level: isSpare ? 'amber' : 'green',
+    count: Number(isSpare),
+    params,
+  };
+}
+
+function longBuilding(result: JobResult): Finding {
+  const { glued: seconds } = buildingTime(
+    result,
+    result.pieces.map((piece) => creasesOf(piece)),
+  );
+  const hours = seconds / 3600;
+  const level = levelOf(hours, manyHours, Infinity);
+  return { code: 'long-building', level, count: Math.round(hours), params: { seconds } };
+}
+
+const order: readonly Level[] = ['red', 'amber', 'green'];
+
+/**
+ * All that a result is looked at for, red before amber before green; among equals what matters most comes first.
+ *
+ * @param margin around each sheet, mm
+ */
+export function findingsOn(result: JobResult, margin: number): Finding[] {
+  const findings: Finding[] = [
+    unfinished(result),
+    ofPieces('overlapping-pieces', 'red', overlappingPieces(result)),
+    beyondPaper(result, margin),
+    shortSeams(result),
+    missingFlaps(result),
+    missingNumbers(result),
+    ofPieces('missing-names', 'amber', namelessPieces(result)),
+    ofPieces('tiny-pieces', 'amber', tinyPieces(result)),
+    ofPieces(
+      'weak-necks',
+      'amber',
+      namesOf(result, ({ necks }) => necks.length > 0),
+    ),
+    unprovedFolding(result),
+    longBuilding(result),
+    spareSheet(result, margin),
+  ];
+  return order.flatMap((level) => findings.filter((finding) => finding.level === level));
+}
+
+/** What findings come to. A sheet that could be saved costs paper, but stands against nothing. */
+export function conclusionOf(findings: readonly Finding[]): Conclusion {
+  const against = findings.filter(({ code, level }) => level !== 'green' && code !== 'spare-sheet');
   const count = against.length;
   if (against.some(({ level }) => level === 'red')) {
     return { code: 'not-buildable', level: 'red', count, params: {} };
@@ -90,19 +207,8 @@ function conclusion(against: readonly Finding[]): Finding {
     : { code: 'buildable', level: 'green', count, params: {} };
 }
 
-/** The conclusion, `buildable`, `hard` or `not-buildable`, and then what stands against building it, red first. */
-export function verdictOf(result: JobResult): Finding[] {
-  const findings = [
-    unfinished(result),
-    ofPieces('overlapping-pieces', 'red', overlappingPieces(result)),
-    shortSeams(result),
-    missingFlaps(result),
-    missingNumbers(result),
-    ofPieces('missing-names', 'amber', namelessPieces(result)),
-    ofPieces('tiny-pieces', 'amber', tinyPieces(result)),
-    unprovedFolding(result),
-  ];
-  const red = findings.filter(({ level }) => level === 'red');
-  const amber = findings.filter(({ level }) => level === 'amber');
-  return [conclusion([...red, ...amber]), ...red, ...amber];
+/** The conclusion, and then what stands against building it, red first; `margin`: around each sheet, mm. */
+export function verdictOf(result: JobResult, margin: number): (Conclusion | Finding)[] {
+  const findings = findingsOn(result, margin);
+  return [conclusionOf(findings), ...findings.filter(({ level }) => level !== 'green')];
 }

@@ -1,7 +1,5 @@
-import { cross, direction, dot, minus, plus, vectorAt, type Vector } from './vector.js';
-
-/** Triangles in space, 9 numbers each. */
-export type Triangles = Float64Array;
+import { facing, type Triangles } from './facing.js';
+import { cross, direction, dot, vectorAt, type Vector } from './vector.js';
 
 // More find little that these do not: what has no way out among them is hooked.
 const directions = 24;
@@ -13,16 +11,6 @@ const around: readonly Vector[] = Array.from({ length: directions }, (_, i) => {
   const radius = Math.sqrt(1 - z * z);
   return [radius * Math.cos(angle), radius * Math.sin(angle), z];
 });
-
-/** The mean normal, weighted by area: where a shell of paper faces as a whole. */
-function facing(triangles: Triangles): Vector {
-  let sum: Vector = [0, 0, 0];
-  for (let at = 0; at < triangles.length / 3; at += 3) {
-    const [a, b, c] = [0, 1, 2].map((corner) => vectorAt(triangles, at + corner));
-    sum = plus(sum, cross(minus(b!, a!), minus(c!, a!)));
-  }
-  return direction(sum);
-}
 
 /** Coordinates in which z runs along a direction. */
 function seenAlong(towards: Vector, triangles: Triangles): Triangles {

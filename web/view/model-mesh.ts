@@ -107,12 +107,21 @@ export class ModelMesh {
     paintFaces(this.mesh.geometry, this.labels, this.selected);
   }
 
-  /** The part that a ray meets first; -1 if it meets none. */
-  partAlong(ray: Raycaster): number {
+  /** The face that a ray meets first; -1 if it meets none. */
+  faceAlong(ray: Raycaster): number {
     // The faces may have moved since the last time.
     this.mesh.geometry.computeBoundingSphere();
-    const face = ray.intersectObject(this.mesh)[0]?.faceIndex;
-    return face === undefined || face === null ? -1 : this.labels[face]!;
+    return ray.intersectObject(this.mesh)[0]?.faceIndex ?? -1;
+  }
+
+  /** The part of a face; -1 for none. */
+  partOf(face: number): number {
+    return this.labels[face] ?? -1;
+  }
+
+  /** Gives a face to a part, until the faces are coloured anew. */
+  give(face: number, part: number): void {
+    this.paint(this.labels.map((own, other) => (other === face ? part : own)));
   }
 
   /** Draws lines along the borders of the parts. */

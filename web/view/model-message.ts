@@ -1,6 +1,7 @@
 import type { Model, Piece } from '../model/job.js';
 import type { Looks } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
+import type { Vector } from '../model/vector.js';
 
 /** A turn by hand around the model. */
 export interface Turn {
@@ -35,8 +36,18 @@ export type ModelMessage =
   | { type: 'labels'; labels: Int32Array }
   /** Parts that stand out; all others fade, unless there are none. */
   | { type: 'selected'; parts: readonly number[] }
+  /**
+   * Edges that are lit in place of those before: 2 vertices of the model each, as the face walks them whose side is
+   * meant. `from`: a direction from which the model is looked at then, as long as it is whole.
+   */
+  | { type: 'lights'; edges: Int32Array; from: Vector | null }
   /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
   | { type: 'point'; x: number; y: number }
+  /**
+   * A hand that paints, where it is as for `point`. It begins with the colour of a part and pulls it over other faces,
+   * which is answered at its end; where it begins beside the model, it turns that.
+   */
+  | ({ type: 'stroke'; phase: 'begin' | 'move' | 'end'; x: number; y: number } & Turn)
   /** Whether hatches tell the parts apart, besides colours. */
   | { type: 'hatched'; hatched: boolean }
   /** What the looks that come have as pictures. */
@@ -51,7 +62,11 @@ export type ModelMessage =
   /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
   | { type: 'time'; time: number };
 
-/** What a picture of a model answers: the part that was pointed at. */
-export interface ModelAnswer {
+/** Faces that were painted in the colour of a part. */
+export interface Painted {
   part: number;
+  faces: number[];
 }
+
+/** What a picture of a model answers: the part that was pointed at, or what was painted. */
+export type ModelAnswer = { part: number; faces?: never } | Painted;

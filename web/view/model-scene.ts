@@ -7,10 +7,12 @@ import {
   Vector2,
   WebGLRenderer,
 } from 'three';
+import { Brush } from './brush.js';
 import type { PictureSize } from './picture-size.js';
 import type { CanvasMessage } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
+import { ModelLights } from './model-lights.js';
 import { ModelLooks } from './model-looks.js';
 import { ModelMesh } from './model-mesh.js';
 import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
@@ -29,6 +31,12 @@ export class ModelScene {
   private readonly camera = new PerspectiveCamera();
   private readonly orbit = new Orbit(this.camera);
   private readonly mesh = new ModelMesh();
+  private readonly lights = new ModelLights();
+  private readonly brush = new Brush({
+    faceAt: (x, y) => this.faceAt(x, y),
+    partOf: (face) => this.mesh.partOf(face),
+    paint: (face, part) => this.mesh.give(face, part),
+  });
   private readonly redraw = new Redraw(() => this.draw());
   private readonly looks = new ModelLooks(this.mesh, () => this.redraw.request());
   private folding: Folding | null = null;
@@ -60,7 +68,7 @@ export class ModelScene {
     // The light stays at the beholder's shoulder, so that no side is ever dark.
     this.camera.add(sun, sun.target);
     this.scene.add(this.camera, new HemisphereLight('#ffffff', '#b8a98c', 1.5));
-    this.scene.add(this.mesh.group);
+    this.scene.add(this.mesh.group, this.lights.group);
     // Now, so that the first model does not have to wait for it.
     this.renderer.compile(this.scene, this.camera);
     canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
@@ -77,9 +85,15 @@ export class ModelScene {
       case 'selected':
         this.mesh.select(message.parts);
         break;
+      case 'lights':
+        this.light(message);
+        break;
       case 'point':
         this.pick(message.x, message.y);
         return;
+      case 'stroke':
+        this.stroke(message);
+        break;
       case 'hatched':
         this.mesh.hatched = message.hatched;
         break;
@@ -123,17 +137,41 @@ export class ModelScene {
   private show({ vertices, faces, keepsView }: Extract<ModelMessage, { type: 'model' }>): void {
     this.looks.show(null);
     this.mesh.show(vertices, faces);
+    this.lights.take(faces);
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
     if (!keepsView) this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
   }
 
-  private pick(x: number, y: number): void {
+  private light({ edges, from }: Extract<ModelMessage, { type: 'lights' }>): void {
+    this.lights.show(edges);
+    if (!from || this.wantedTime < 1) return;
+    this.turning = false;
+    this.orbit.look(from);
+  }
+
+  private faceAt(x: number, y: number): number {
     this.camera.updateMatrixWorld();
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const part = this.mesh.partAlong(ray);
+    return this.mesh.faceAlong(ray);
+  }
+
+  private pick(x: number, y: number): void {
+    const part = this.mesh.partOf(this.faceAt(x, y));
     if (part >= 0) this.answer({ part });
+  }
+
+  private stroke(stroke: Extract<ModelMessage, { type: 'stroke' }>): void {
+    this.turning = false;
+    // Faces that lie on the table or fly are no model.
+    if (stroke.phase === 'begin' && this.time === 1) this.brush.begin(stroke);
+    else if (!this.brush.isDown) this.orbit.turn(stroke);
+    else if (stroke.phase === 'move') this.brush.move(stroke);
+    else {
+      const painted = this.brush.end();
+      if (painted) this.answer(painted);
+    }
   }
 
   /** Moves the faces to where they are at the wanted time. */
@@ -182,6 +220,7 @@ export class ModelScene {
     if (!this.visible) return;
     this.fold();
     this.looks.update(this.time === 1);
+    this.lights.place(this.mesh.positions, this.time === 1);
     this.renderer.render(this.scene, this.camera);
   }
 }

@@ -1,6 +1,6 @@
 import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing, type DrawingFailure, type Places } from './drawing.js';
-import type { ModelAnswer, ModelMessage } from './model-message.js';
+import type { ModelAnswer, ModelMessage, Painted } from './model-message.js';
 import modelWorker from './model-worker.ts?worker&url';
 import { TurnInput } from './turn-input.js';
 import { startWebGl } from './webgl.js';
@@ -22,6 +22,10 @@ export interface ModelViewListener {
   onFailure(failure: DrawingFailure): void;
   /** The part that was clicked. */
   onPick(part: number): void;
+  /** Whether hands paint. */
+  isPainting(): boolean;
+  /** What they have painted, which is shown so until the faces are coloured anew. */
+  onPaint(painted: Painted): void;
 }
 
 /**
@@ -36,12 +40,16 @@ export function modelView(
 ): Drawing<ModelMessage, ModelAnswer> {
   const view = new Drawing(frame, places, life, {
     onFailure: (failure) => listener.onFailure(failure),
-    onAnswer: ({ part }) => listener.onPick(part),
+    onAnswer: ({ part, faces }) => {
+      if (faces) listener.onPaint({ part, faces });
+      else listener.onPick(part);
+    },
   });
-  new TurnInput(
-    frame,
-    (turn) => view.post({ type: 'turn', ...turn }),
-    (x, y) => view.post({ type: 'point', x, y }),
-  );
+  new TurnInput(frame, {
+    turn: (turn) => view.post({ type: 'turn', ...turn }),
+    point: (x, y) => view.post({ type: 'point', x, y }),
+    stroke: (stroke) => view.post({ type: 'stroke', ...stroke }),
+    isPainting: () => listener.isPainting(),
+  });
   return view;
 }

@@ -1,4 +1,5 @@
-import { Spherical, type PerspectiveCamera } from 'three';
+import { Spherical, Vector3, type PerspectiveCamera } from 'three';
+import type { Vector } from '../model/vector.js';
 import type { Extent } from './model-geometry.js';
 import type { Turn } from './model-message.js';
 
@@ -9,6 +10,9 @@ const sideways = 0.65;
 
 /** Outside of the model, and not so far that it is lost. */
 const [nearest, farthest] = [1.4, 8];
+
+/** Nearer to straight from above or below, left and right would turn over; radians. */
+const steepest = 0.25;
 
 /** Room around the model, as a share of its size. */
 const air = 1.1;
@@ -48,6 +52,15 @@ export class Orbit {
   /** From where it is seen now, as an angle in radians around the upright axis. */
   get around(): number {
     return new Spherical().setFromVector3(this.camera.position).theta;
+  }
+
+  /** Looks from this direction at the middle, as far away as now. */
+  look([x, y, z]: Vector): void {
+    const place = new Spherical().setFromVector3(this.camera.position);
+    const { phi, theta } = new Spherical().setFromVector3(new Vector3(x, y, z));
+    place.theta = theta;
+    place.phi = Math.min(Math.max(phi, steepest), Math.PI - steepest);
+    this.place(place);
   }
 
   turn({ around, down, away }: Turn): void {

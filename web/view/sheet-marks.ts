@@ -1,4 +1,4 @@
-const svgNamespace = 'http://www.w3.org/2000/svg';
+import { shape } from './svg-shape.js';
 
 /** What a mark points at: a fold to be turned, a seam to be closed, a border to be glued. */
 export type MarkKind = 'turn' | 'seam' | 'border';
@@ -15,12 +15,6 @@ export interface SheetMark {
 /** Size of a label in mm, and as a share of its line, so that those of short edges keep apart. */
 const [smallest, largest] = [1.5, 4];
 const labelShare = 0.6;
-
-function shape(name: string, attributes: Record<string, string | number>): SVGElement {
-  const element = document.createElementNS(svgNamespace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
-}
 
 function drawMark({ kind, from, to, label }: SheetMark, height: number): SVGElement[] {
   const [x1, y1, x2, y2] = [from[0], height - from[1], to[0], height - to[1]];

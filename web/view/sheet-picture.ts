@@ -1,8 +1,7 @@
 import { hatchPaths, hatchTile, hatchWidth } from './part-hatches.js';
+import { shape } from './svg-shape.js';
 
 /** Sheets on the screen. */
-
-const svgNamespace = 'http://www.w3.org/2000/svg';
 
 /** Side of a hatch's tile in mm. */
 const tile = 3;
@@ -13,12 +12,6 @@ export interface PiecePaint {
   colour: string;
   /** Index of the hatch. */
   hatch: number;
-}
-
-function shape(name: string, attributes: Record<string, string | number>): SVGElement {
-  const element = document.createElementNS(svgNamespace, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
 }
 
 /** The hatch as a pattern with a name that no other sheet on the page has. */

@@ -31,55 +31,94 @@ interface Point {
   y: number;
 }
 
+/** A stroke over the picture, with the turn that it would else be. */
+export interface Stroke extends Point, Turn {
+  phase: 'begin' | 'move' | 'end';
+}
+
+/** Who hears of hands; places are from -1 to 1, to the right and up. */
+export interface HandListener {
+  /** Is also called when the picture is grabbed, with a turn that moves nothing. */
+  turn(turn: Turn): void;
+  point(x: number, y: number): void;
+  stroke(stroke: Stroke): void;
+  /** Whether a drag is a stroke. */
+  isPainting(): boolean;
+}
+
 /**
  * Makes turns of what hands do to a picture in its frame: drag, pinch, roll the wheel, press keys. A
- * click points at something.
+ * click points at something; a drag may also be a stroke.
  */
 export class TurnInput {
   /** Where mouse, pen and fingers hold the picture. */
   private readonly held = new Map<number, Point>();
   /** Where a press began that may still become a click. */
   private pressed: Point | null = null;
+  /** Whether a stroke is being made. */
+  private isStroke = false;
 
-  /**
-   * @param onTurn is also called when the picture is grabbed, with a turn that moves nothing
-   * @param onPoint from -1 to 1, to the right and up
-   */
   constructor(
     private readonly frame: HTMLElement,
-    private readonly onTurn: (turn: Turn) => void,
-    private readonly onPoint: (x: number, y: number) => void,
+    private readonly listener: HandListener,
   ) {
     frame.addEventListener('pointerdown', (event) => this.grab(event));
     frame.addEventListener('pointermove', (event) => this.drag(event));
     frame.addEventListener('pointerup', (event) => this.release(event));
-    frame.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
+    frame.addEventListener('pointercancel', (event) => {
+      this.held.delete(event.pointerId);
+      this.endStroke(event);
+    });
     frame.addEventListener('wheel', (event) => this.roll(event), { passive: false });
     frame.addEventListener('keydown', (event) => this.press(event));
   }
 
   private turn(turn: Partial<Turn>): void {
-    this.onTurn({ ...still, ...turn });
+    this.listener.turn({ ...still, ...turn });
   }
 
-  private grab({ pointerId, clientX, clientY }: PointerEvent): void {
+  /** From -1 to 1, to the right and up. */
+  private placeOf({ clientX, clientY }: PointerEvent): Point {
+    const { left, top, width, height } = this.frame.getBoundingClientRect();
+    return { x: (2 * (clientX - left)) / width - 1, y: 1 - (2 * (clientY - top)) / height };
+  }
+
+  private stroke(phase: Stroke['phase'], event: PointerEvent, turn: Partial<Turn> = {}): void {
+    this.listener.stroke({ phase, ...this.placeOf(event), ...still, ...turn });
+  }
+
+  private endStroke(event: PointerEvent): void {
+    if (this.isStroke) this.stroke('end', event);
+    this.isStroke = false;
+  }
+
+  private grab(event: PointerEvent): void {
+    const { pointerId, clientX, clientY } = event;
     this.frame.focus({ preventScroll: true });
     this.frame.setPointerCapture(pointerId);
     this.held.set(pointerId, { x: clientX, y: clientY });
     this.pressed = this.held.size === 1 ? { x: clientX, y: clientY } : null;
-    this.turn({});
+    // A second finger makes a pinch of it.
+    this.endStroke(event);
+    if (this.pressed && this.listener.isPainting()) {
+      this.isStroke = true;
+      this.stroke('begin', event);
+    } else this.turn({});
   }
 
-  private release({ pointerId, clientX, clientY }: PointerEvent): void {
+  private release(event: PointerEvent): void {
+    const { pointerId, clientX, clientY } = event;
     this.held.delete(pointerId);
-    const { pressed } = this;
+    const { pressed, isStroke } = this;
     this.pressed = null;
+    if (isStroke) return this.endStroke(event);
     if (!pressed || Math.hypot(clientX - pressed.x, clientY - pressed.y) > tremble) return;
-    const { left, top, width, height } = this.frame.getBoundingClientRect();
-    this.onPoint((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    const { x, y } = this.placeOf(event);
+    this.listener.point(x, y);
   }
 
-  private drag({ pointerId, clientX, clientY }: PointerEvent): void {
+  private drag(event: PointerEvent): void {
+    const { pointerId, clientX, clientY } = event;
     const from = this.held.get(pointerId);
     if (!from) return;
     const to = { x: clientX, y: clientY };
@@ -91,7 +130,9 @@ export class TurnInput {
       return;
     }
     const scale = fullTurn / this.frame.clientHeight;
-    this.turn({ around: scale * (from.x - to.x), down: scale * (from.y - to.y) });
+    const turn = { around: scale * (from.x - to.x), down: scale * (from.y - to.y) };
+    if (this.isStroke) this.stroke('move', event, turn);
+    else this.turn(turn);
   }
 
   private roll(event: WheelEvent): void {
