@@ -1,4 +1,6 @@
+import type { DocumentState } from '../api/document-state.js';
 import type { TimedResult } from '../core/client.js';
+import type { PinnedPiece } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
@@ -15,4 +17,12 @@ export interface FinishedRun {
   fields: FieldValues;
   pictures: RunPictures;
   result: TimedResult;
+  /** Pieces that stay where a person put them. */
+  pins: readonly PinnedPiece[];
+}
+
+/** The same run after edits that have led its document to another state. */
+export function editedRun(run: FinishedRun, { wishes, result }: DocumentState): FinishedRun {
+  const { settings, pins } = wishes;
+  return { ...run, settings, pins, result };
 }

@@ -121,8 +121,10 @@ export class PartsPanel extends Panel {
       row.pressed = selection.includes(part);
       row.locked = busy;
     });
+    const { before } = this.store;
     const offer = (button: HTMLButtonElement, verb: string, edits: typeof undoable): void => {
-      button.textContent = edits && run ? `${verb}: ${editWords(edits, run.result)}` : verb;
+      const result = (button === this.undoButton && before) || run?.result;
+      button.textContent = edits && result ? `${verb}: ${editWords(edits, result)}` : verb;
       const hadFocus = button.matches(':focus');
       button.hidden = edits === null;
       if (edits === null && hadFocus) this.focus();
