@@ -386,6 +386,8 @@ export class Store {
     const isNaming = before !== null && isRenaming(before.result, run.result);
     [this.shownRun, this.session, this.shownPosition] = [run, session, position];
     this.presentScene = 'result';
+    // Nobody shall look for a part that is gone.
+    this.selected = this.selected.filter((part) => part < run.result.parts);
     drawing.show({ isRenaming: isNaming });
     this.notify('scene');
     if (!isNaming) this.select(before ? touchedParts(before.result, run.result, edits) : []);
