@@ -22,6 +22,10 @@ export interface EdgeToolListener {
   reveal(sheet: number): number;
   /** Makes an edit. */
   change(edit: DocumentEdit): Promise<Ending>;
+  /** An edge is chosen, or looked for: nothing else is chosen any more. */
+  alone(): void;
+  /** Finds something else of this name; false if there is nothing. */
+  findOther(name: string): boolean;
 }
 
 /** Edges on the sheets are pointed at, chosen by a click or by their number, and changed. */
@@ -69,13 +73,15 @@ export class EdgeTool extends Panel {
     this.light();
   }
 
-  /** Lights the edge at a place, and says what it is. */
-  point(place: SheetPlace | null): void {
+  /** Lights the edge at a place, and says what it is; false if there is none. */
+  point(place: SheetPlace | null): boolean {
     const edge = place && this.edgeAt(place);
-    if (edge === this.pointed) return;
-    this.pointed = edge;
-    this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
-    this.light();
+    if (edge !== this.pointed) {
+      this.pointed = edge;
+      this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
+      this.light();
+    }
+    return edge !== null;
   }
 
   /** Chooses the edge at a place; false if there is none. */
@@ -95,7 +101,7 @@ export class EdgeTool extends Panel {
     return this.edges?.nearest(sheet, point, far, reach.leastPixels * mmPerPixel) ?? null;
   }
 
-  /** Chooses what has the number in the field; once more: the next edge that has it. */
+  /** Chooses what has the number or name in the field; once more: the next edge that has the number. */
   private search(): void {
     const text = this.number.value.trim();
     if (text === '' || !this.edges) return;
@@ -107,18 +113,22 @@ export class EdgeTool extends Panel {
       return;
     }
     this.close();
-    const words = `No edge has the number ${text}.`;
+    if (this.listener.findOther(text)) return;
+    this.listener.alone();
+    const words = `No edge and no piece is called ${text}.`;
     this.card.show({ words, actions: [], busy: false, outcome: '' });
   }
 
   private choose(edge: SheetEdge): void {
     this.chosen = edge;
     this.outcome = '';
+    this.listener.alone();
     this.show();
     this.light();
   }
 
-  private close(): void {
+  /** Chooses no edge any more. */
+  close(): void {
     if (this.card.hasFocus) this.number.focus({ preventScroll: true });
     this.chosen = null;
     this.show();

@@ -1,5 +1,6 @@
 import type { JobResult, Piece } from '../model/job.js';
 import type { DrawingFailure } from '../view/drawing.js';
+import type { ModelAnswer } from '../view/model-message.js';
 import { modelView } from '../view/model-view.js';
 import { FoldingPanel } from './folding-panel.js';
 import { LooksSwitch } from './looks-switch.js';
@@ -25,7 +26,7 @@ export class ModelPanel extends Panel {
   private readonly name = this.find('#model-name', HTMLElement);
   private readonly view = modelView(this.picture, this.place.life, {
     onFailure: (failure) => this.excuse(excuses[failure]),
-    onPick: (part) => this.onPick(part),
+    onPoint: (answer) => this.onPoint(answer),
   });
   private readonly folding = new FoldingPanel(this.place, (time) =>
     this.view.post({ type: 'time', time }),
@@ -34,10 +35,10 @@ export class ModelPanel extends Panel {
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
 
-  /** @param onPick is told the part of the model that was clicked */
+  /** @param onPoint is told the face of the model that the mouse is over, or that was clicked */
   constructor(
     place: StudioPlace,
-    private readonly onPick: (part: number) => void,
+    private readonly onPoint: (answer: ModelAnswer) => void,
   ) {
     super(place);
   }
@@ -89,6 +90,11 @@ export class ModelPanel extends Panel {
   /** Lets parts stand out from all others, unless there are none. */
   select(parts: readonly number[]): void {
     this.view.post({ type: 'selected', parts });
+  }
+
+  /** Lights faces, in place of those that were lit before. */
+  light(faces: Int32Array): void {
+    this.view.post({ type: 'lit', faces });
   }
 
   hatch(hatched: boolean): void {

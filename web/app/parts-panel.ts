@@ -5,6 +5,7 @@ import { editWords } from './edit-words.js';
 import { Panel } from './panel.js';
 import { PartRow } from './part-row.js';
 import type { StudioPlace } from './place.js';
+import { onPress } from './press.js';
 import { finishedParts } from './result-words.js';
 import type { Store } from './store.js';
 
@@ -39,10 +40,10 @@ export class PartsPanel extends Panel {
     private readonly listener: PartsListener,
   ) {
     super(place);
-    this.on(this.splitButton, () => this.split());
-    this.on(this.mergeButton, () => this.merge());
-    this.on(this.undoButton, () => listener.undo());
-    this.on(this.redoButton, () => listener.redo());
+    onPress(this.splitButton, () => this.split());
+    onPress(this.mergeButton, () => this.merge());
+    onPress(this.undoButton, () => listener.undo());
+    onPress(this.redoButton, () => listener.redo());
     this.into.addEventListener('input', () => this.show());
     store.on('work', () => this.show());
     store.on('selection', () => this.show());
@@ -96,13 +97,6 @@ export class PartsPanel extends Panel {
   private rename(part: number, text: string): void {
     this.fault.hidden = true;
     this.listener.rename({ kind: 'name', part: part + 1, text });
-  }
-
-  /** A button that is not to be used keeps the keyboard's place all the same. */
-  private on(button: HTMLButtonElement, action: () => void): void {
-    button.addEventListener('click', () => {
-      if (button.getAttribute('aria-disabled') !== 'true') action();
-    });
   }
 
   private show(): void {

@@ -1,4 +1,5 @@
 import type { JobEvent, JobResult, Piece } from '../model/job.js';
+import type { ModelAnswer } from '../view/model-message.js';
 import { ChartPanel } from './chart-panel.js';
 import { MatrixPanel } from './matrix-panel.js';
 import { ModelPanel } from './model-panel.js';
@@ -36,10 +37,10 @@ export class Workshop extends Panel {
   /** Those that the panels show. */
   private shownPictures: RunPictures | null = null;
 
-  /** @param onPick is told the part of the model that was clicked */
-  constructor(place: StudioPlace, onPick: (part: number) => void) {
+  /** @param onPoint is told the face of the model that the mouse is over, or that was clicked */
+  constructor(place: StudioPlace, onPoint: (answer: ModelAnswer) => void) {
     super(place);
-    this.model = new ModelPanel(place, onPick);
+    this.model = new ModelPanel(place, onPoint);
   }
 
   /** Shows the room in which a run is watched. */
@@ -145,6 +146,11 @@ export class Workshop extends Panel {
   /** Lets parts of the finished model stand out from all others, unless there are none. */
   select(parts: readonly number[]): void {
     this.model.select(parts);
+  }
+
+  /** Lights faces of the finished model, in place of those that were lit before. */
+  light(faces: Int32Array): void {
+    this.model.light(faces);
   }
 
   /** Draws the parts with hatches, or without. */

@@ -2,6 +2,9 @@ import type { Model, Piece } from '../model/job.js';
 import type { Looks } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
 
+/** Why a place is pointed at: a mouse is over it, or it is clicked, alone or to add to what is chosen. */
+export type Pointing = 'over' | 'choose' | 'add';
+
 /** A turn by hand around the model. */
 export interface Turn {
   /** Radians around the upright axis. */
@@ -35,8 +38,10 @@ export type ModelMessage =
   | { type: 'labels'; labels: Int32Array }
   /** Parts that stand out; all others fade, unless there are none. */
   | { type: 'selected'; parts: readonly number[] }
-  /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
-  | { type: 'point'; x: number; y: number }
+  /** Which face is seen at a place, from -1 to 1 to the right and up? Every question is answered. */
+  | { type: 'point'; x: number; y: number; why: Pointing }
+  /** Faces that are lit, in place of those before. Those of another model are ignored. */
+  | { type: 'lit'; faces: Int32Array }
   /** Whether hatches tell the parts apart, besides colours. */
   | { type: 'hatched'; hatched: boolean }
   /** What the looks that come have as pictures. */
@@ -51,7 +56,9 @@ export type ModelMessage =
   /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
   | { type: 'time'; time: number };
 
-/** What a picture of a model answers: the part that was pointed at. */
+/** What a picture of a model answers: the face that was pointed at. */
 export interface ModelAnswer {
-  part: number;
+  /** -1 if there is none that belongs to a part. */
+  face: number;
+  why: Pointing;
 }

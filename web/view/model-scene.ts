@@ -45,7 +45,7 @@ export class ModelScene {
 
   /**
    * @param canvas of a document or, in a worker, without one
-   * @param answer hears which part is seen where someone points
+   * @param answer hears which face is seen where someone points
    */
   constructor(
     canvas: HTMLCanvasElement | OffscreenCanvas,
@@ -78,8 +78,11 @@ export class ModelScene {
         this.mesh.select(message.parts);
         break;
       case 'point':
-        this.pick(message.x, message.y);
+        this.pick(message);
         return;
+      case 'lit':
+        this.mesh.light(message.faces);
+        break;
       case 'hatched':
         this.mesh.hatched = message.hatched;
         break;
@@ -128,12 +131,11 @@ export class ModelScene {
     if (!keepsView) this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
   }
 
-  private pick(x: number, y: number): void {
+  private pick({ x, y, why }: Extract<ModelMessage, { type: 'point' }>): void {
     this.camera.updateMatrixWorld();
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const part = this.mesh.partAlong(ray);
-    if (part >= 0) this.answer({ part });
+    this.answer({ face: this.mesh.faceAlong(ray), why });
   }
 
   /** Moves the faces to where they are at the wanted time. */

@@ -1,5 +1,6 @@
 import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing, type DrawingFailure, type Places } from './drawing.js';
+import { Hover } from './hover.js';
 import type { ModelAnswer, ModelMessage } from './model-message.js';
 import modelWorker from './model-worker.ts?worker&url';
 import { TurnInput } from './turn-input.js';
@@ -20,8 +21,8 @@ const places: Places<ModelMessage, ModelAnswer> = {
 export interface ModelViewListener {
   /** `impossible` where there is no WebGL 2. */
   onFailure(failure: DrawingFailure): void;
-  /** The part that was clicked. */
-  onPick(part: number): void;
+  /** A face is under the mouse or was clicked; the mouse is over none any more if it is -1. */
+  onPoint(answer: ModelAnswer): void;
 }
 
 /**
@@ -36,12 +37,23 @@ export function modelView(
 ): Drawing<ModelMessage, ModelAnswer> {
   const view = new Drawing(frame, places, life, {
     onFailure: (failure) => listener.onFailure(failure),
-    onAnswer: ({ part }) => listener.onPick(part),
+    onAnswer: (answer) => {
+      if (answer.why !== 'over') return listener.onPoint(answer);
+      if (hover.answered()) listener.onPoint(answer);
+    },
   });
+  const hover = new Hover((x, y) => view.post({ type: 'point', x, y, why: 'over' }));
   new TurnInput(
     frame,
     (turn) => view.post({ type: 'turn', ...turn }),
-    (x, y) => view.post({ type: 'point', x, y }),
+    (place, why) => {
+      if (why !== 'over') return void (place && view.post({ type: 'point', ...place, why }));
+      if (place) hover.ask(place);
+      else {
+        hover.end();
+        listener.onPoint({ face: -1, why });
+      }
+    },
   );
   return view;
 }

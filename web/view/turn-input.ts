@@ -1,4 +1,4 @@
-import type { Turn } from './model-message.js';
+import type { Pointing, Turn } from './model-message.js';
 
 /** A drag as long as the picture is high goes once around. */
 const fullTurn = 2 * Math.PI;
@@ -43,16 +43,17 @@ export class TurnInput {
 
   /**
    * @param onTurn is also called when the picture is grabbed, with a turn that moves nothing
-   * @param onPoint from -1 to 1, to the right and up
+   * @param onPoint from -1 to 1, to the right and up; null: the mouse has left
    */
   constructor(
     private readonly frame: HTMLElement,
     private readonly onTurn: (turn: Turn) => void,
-    private readonly onPoint: (x: number, y: number) => void,
+    private readonly onPoint: (place: Point | null, why: Pointing) => void,
   ) {
     frame.addEventListener('pointerdown', (event) => this.grab(event));
     frame.addEventListener('pointermove', (event) => this.drag(event));
     frame.addEventListener('pointerup', (event) => this.release(event));
+    frame.addEventListener('pointerleave', () => onPoint(null, 'over'));
     frame.addEventListener('pointercancel', ({ pointerId }) => this.held.delete(pointerId));
     frame.addEventListener('wheel', (event) => this.roll(event), { passive: false });
     frame.addEventListener('keydown', (event) => this.press(event));
@@ -70,18 +71,27 @@ export class TurnInput {
     this.turn({});
   }
 
-  private release({ pointerId, clientX, clientY }: PointerEvent): void {
-    this.held.delete(pointerId);
+  private release(event: PointerEvent): void {
+    const { clientX, clientY, shiftKey, ctrlKey, metaKey } = event;
+    this.held.delete(event.pointerId);
     const { pressed } = this;
     this.pressed = null;
     if (!pressed || Math.hypot(clientX - pressed.x, clientY - pressed.y) > tremble) return;
-    const { left, top, width, height } = this.frame.getBoundingClientRect();
-    this.onPoint((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    this.onPoint(this.placeOf(event), shiftKey || ctrlKey || metaKey ? 'add' : 'choose');
   }
 
-  private drag({ pointerId, clientX, clientY }: PointerEvent): void {
+  private placeOf({ clientX, clientY }: PointerEvent): Point {
+    const { left, top, width, height } = this.frame.getBoundingClientRect();
+    return { x: (2 * (clientX - left)) / width - 1, y: 1 - (2 * (clientY - top)) / height };
+  }
+
+  private drag(event: PointerEvent): void {
+    const { pointerId, clientX, clientY, pointerType } = event;
     const from = this.held.get(pointerId);
-    if (!from) return;
+    if (!from) {
+      if (pointerType === 'mouse') this.onPoint(this.placeOf(event), 'over');
+      return;
+    }
     const to = { x: clientX, y: clientY };
     this.held.set(pointerId, to);
     const other = [...this.held].find(([id]) => id !== pointerId)?.[1];
