@@ -9,6 +9,7 @@ import type { Ending } from './ending.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { sentence } from './sentence.js';
+import { followWork } from './sheet-choice.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
 
@@ -53,14 +54,7 @@ export class EdgeTool extends Panel {
       event.preventDefault();
       this.search();
     });
-    const leave = (event: Event): void => {
-      if (event instanceof KeyboardEvent && event.key === 'Escape') this.close();
-    };
-    place.ground.addEventListener('keydown', leave, { signal: place.life });
-    store.on('work', () => {
-      if (store.work === 'running') this.close();
-      else this.show();
-    });
+    followWork(place, store, { close: () => this.close(), show: () => this.show() });
   }
 
   /** Takes another result; an edge that was chosen and is there still stays so. */

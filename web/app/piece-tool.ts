@@ -11,6 +11,7 @@ import { layingWords, pieceWords } from './piece-words.js';
 import type { StudioPlace } from './place.js';
 import { finishedParts } from './result-words.js';
 import { sentence } from './sentence.js';
+import { followWork } from './sheet-choice.js';
 import type { SheetList } from './sheet-list.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
@@ -35,6 +36,8 @@ export class PieceTool extends Panel {
   private pieces: SheetPieces | null = null;
   private pointed: number | null = null;
   private chosen: number | null = null;
+  /** The piece that is being changed. */
+  private waiting: number | null = null;
   private outcome = '';
   /** Searches for other nets so far: each has a seed of its own. */
   private searches = 0;
@@ -63,19 +66,13 @@ export class PieceTool extends Panel {
       tell: (piece, words) => this.tell(piece, words),
     });
     this.list.addEventListener('keydown', (event) => this.walk(event));
-    const leave = (event: Event): void => {
-      if (event instanceof KeyboardEvent && event.key === 'Escape') this.close();
-    };
-    place.ground.addEventListener('keydown', leave, { signal: place.life });
-    store.on('work', () => {
-      if (store.work === 'running') this.close();
-      else this.show();
-    });
+    followWork(place, store, { close: () => this.close(), show: () => this.show() });
   }
 
   /** Takes another result; a piece that was chosen and is there still stays so. */
   offer(run: FinishedRun): void {
     const face = this.chosen === null ? null : this.facesOf(this.chosen)[0]!;
+    this.waiting = null;
     this.run = run;
     this.pieces = new SheetPieces(run.result, run.settings.margin);
     this.chosen = face === null ? null : this.pieceWith(face);
@@ -217,9 +214,13 @@ export class PieceTool extends Panel {
   private async follow(change: Promise<Ending>): Promise<void> {
     const { chosen } = this;
     this.outcome = '';
+    this.waiting = chosen;
+    this.show();
     const ending = await change;
-    if (ending.type !== 'refused' || this.chosen !== chosen) return;
-    this.outcome = sentence(ending.refusal.params.text);
+    this.waiting = null;
+    if (ending.type === 'refused' && this.chosen === chosen) {
+      this.outcome = sentence(ending.refusal.params.text);
+    }
     this.show();
   }
 
@@ -249,7 +250,7 @@ export class PieceTool extends Panel {
     const isPinned = pins.some((pin) => isPinOf(pin, own));
     const name = this.store.names.find(({ part }) => part === own.part)?.name ?? '';
     return {
-      words: `${pieceWords(pieces, chosen, place ?? undefined)}.`,
+      words: `${pieceWords(pieces, chosen, place ?? undefined)}.${isPinned ? ' It stays here.' : ''}`,
       // Without all nets a job would go on to search, which a name must not.
       name: finishedParts(result) === result.parts ? name : null,
       sheet: place?.sheet ?? own.sheet,
@@ -270,6 +271,7 @@ export class PieceTool extends Panel {
       chosen: name(chosen),
       pointed: name(pointed),
       lifted: name(mover.piece),
+      waiting: name(this.waiting),
     });
     const lit = pointed ?? chosen;
     this.listener.lightFaces(lit === null ? new Int32Array() : this.facesOf(lit));

@@ -63,7 +63,11 @@ export interface PieceLights {
   pointed: string | null;
   /** It is on its way to another place, and fades where it lay. */
   lifted: string | null;
+  /** It is being changed. */
+  waiting: string | null;
 }
+
+const noLights: PieceLights = { chosen: null, pointed: null, lifted: null, waiting: null };
 
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList extends Panel {
@@ -77,7 +81,7 @@ export class SheetList extends Panel {
   private pieces: readonly Piece[] = [];
   private marks: MarksBySheet = new Map();
   private lights: LightsBySheet = new Map();
-  private pieceLights: PieceLights = { chosen: null, pointed: null, lifted: null };
+  private pieceLights = noLights;
   private selected: readonly number[] = [];
 
   constructor(place: StudioPlace, listener: SheetListener) {
@@ -121,7 +125,7 @@ export class SheetList extends Panel {
    * @param whole puts all of them there, so that the page does not move
    */
   show(sheets: HTMLLIElement[], { pieces }: JobResult, whole = false): void {
-    this.lightPieces({ chosen: null, pointed: null, lifted: null });
+    this.lightPieces(noLights);
     const fresh = sheets.filter((sheet) => !this.sheets.includes(sheet));
     this.sheets = sheets;
     this.pieces = pieces;
@@ -189,7 +193,7 @@ export class SheetList extends Panel {
   lightPieces(lights: PieceLights): void {
     const before = this.pieceLights;
     this.pieceLights = lights;
-    for (const kind of ['chosen', 'pointed', 'lifted'] as const) {
+    for (const kind of ['chosen', 'pointed', 'lifted', 'waiting'] as const) {
       if (before[kind] !== lights[kind]) {
         this.areaOf(before[kind])?.removeAttribute(`data-${kind}`);
       }
@@ -202,9 +206,9 @@ export class SheetList extends Panel {
     return this.areaOf(name)?.getAttribute('d') ?? null;
   }
 
-  /** The picture of a sheet, or of the last one for a sheet to come. */
+  /** The picture of a sheet; null for one to come. */
   pictureOf(sheet: number): SVGSVGElement | null {
-    return (this.sheets[sheet] ?? this.sheets.at(-1))?.querySelector('svg') ?? null;
+    return this.sheets[sheet]?.querySelector('svg') ?? null;
   }
 
   /** Where the pointer is on the nearest sheet, on it or beside it. */
