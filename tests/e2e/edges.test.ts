@@ -102,7 +102,7 @@ test('a seam is found by its number and its flap turned by the keyboard alone', 
       const { page } = studio;
       const first = await open(studio);
       await find(page, '999');
-      expect(await words(page).innerText()).toBe('No edge has the number 999.');
+      expect(await words(page).innerText()).toBe('No edge and no piece is called 999.');
       const number = await printedNumber(page);
       await find(page, number);
       const before = await words(page).innerText();

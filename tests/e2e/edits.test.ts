@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { objText, wavyRing } from '../web/model-text.js';
+import { pointInside } from './sheet-points.js';
 import { useStudio } from './studio-fixture.js';
 import { phone, type StudioPage } from './studio-page.js';
 
@@ -25,26 +26,12 @@ async function chosen(page: Page): Promise<number[]> {
   return names.map((name) => Number.parseInt(name.replace('Part ', ''), 10));
 }
 
-/** Clicks a piece on a sheet, somewhere inside where no edge is near: the middle of its box may lie outside. */
-async function clickPiece(page: Page, selector: string): Promise<void> {
-  const piece = page.locator(selector).first();
-  await piece.scrollIntoViewIfNeeded();
-  const places = await piece.evaluate((path: SVGPathElement) => {
-    const { x: left, y: top, width, height } = path.getBBox();
-    const shares = Array.from({ length: 30 }, (_, i) => (i + 0.5) / 30);
-    const points = shares.flatMap((u) =>
-      shares.map((v) => new DOMPoint(left + u * width, top + v * height)),
-    );
-    return points
-      .filter((point) => path.isPointInFill(point))
-      .map((point) => point.matrixTransform(path.getScreenCTM()!))
-      .map(({ x, y }) => [x, y] as const);
-  });
-  for (const [x, y] of places) {
-    await page.mouse.move(x, y);
-    if ((await page.locator('#edge-line').textContent()) === '') return page.mouse.click(x, y);
-  }
-  throw new Error('Edges are everywhere near');
+/** Clicks a piece on a sheet; with Shift its part is chosen beside others, or no longer. */
+async function clickPiece(page: Page, selector: string, key?: 'Shift'): Promise<void> {
+  const [x, y] = await pointInside(page, selector);
+  if (key) await page.keyboard.down(key);
+  await page.mouse.click(x, y);
+  if (key) await page.keyboard.up(key);
 }
 
 /** The hash of the result that a change leads to. */
@@ -133,11 +120,15 @@ test('a click on the model or on a sheet chooses a part', () =>
     await expect.poll(() => chosen(page).then(({ length }) => length)).toBe(1);
     const [picked] = await chosen(page);
     await page.mouse.click(box.x + 2, box.y + 2);
-    await clickPiece(page, '[data-area]:not([data-selected])');
+    expect(await page.locator('#piece-words').innerText()).toMatch(/^Piece [AB]: /);
+    await clickPiece(page, '[data-area]:not([data-selected])', 'Shift');
     expect(await chosen(page)).toEqual([1, 2]);
-    await clickPiece(page, '[data-area]');
+    await clickPiece(page, '[data-area]', 'Shift');
     expect(await chosen(page)).toHaveLength(1);
     expect([1, 2]).toContain(picked);
+    // Without a key the other one is no longer chosen.
+    await clickPiece(page, '[data-area]:not([data-selected])');
+    expect(await chosen(page)).toHaveLength(1);
     // A drag turns the model and chooses nothing.
     const before = await chosen(page);
     await page.locator('#model-picture').scrollIntoViewIfNeeded();

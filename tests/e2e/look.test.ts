@@ -74,6 +74,12 @@ test.each(views)('the page is accessible and fits: $name', ({ name, ...options }
     await studio.picture(`${name}-8-edge`);
     expect(await barriers(page)).toEqual([]);
 
+    await page.fill('#edge-number', 'B');
+    await page.locator('#edge-number').press('Enter');
+    await page.locator('#piece-card summary').click();
+    await studio.picture(`${name}-9-piece`);
+    expect(await barriers(page)).toEqual([]);
+
     await studio.choose('ring.obj', objText(wavyRing(34)));
     await page.locator('#check-look', { hasText: 'The picture has 1' }).waitFor();
     await page.getByRole('button', { name: '20 cm', exact: true }).click();

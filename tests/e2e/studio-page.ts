@@ -29,6 +29,7 @@ export const phone = { width: 390, height: 844 };
 export interface BrowserOptions {
   viewport?: { width: number; height: number };
   colorScheme?: 'light' | 'dark';
+  hasTouch?: boolean;
   /** Whether things move by themselves; by default they do not. */
   reducedMotion?: 'reduce' | 'no-preference';
   /** Of the browser, besides those that it always gets. */

@@ -48,6 +48,10 @@ export class FakeSession implements OpenModel {
     return this.position > 0 ? this.states[this.position]!.edits : null;
   }
 
+  get before(): DocumentState['result'] | null {
+    return this.states[this.position - 1]?.state.result ?? null;
+  }
+
   get nextStep(): readonly DocumentEdit[] | null {
     return this.states[this.position + 1]?.edits ?? null;
   }

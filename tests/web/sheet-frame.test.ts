@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { bandOf, frameSheet } from '../../web/export/sheet-frame.js';
+import { frameSheet } from '../../web/export/sheet-frame.js';
+import { bandOf } from '../../web/model/sheet-room.js';
 import { FreeSpace } from '../../web/export/free-space.js';
 import { widthAtMost, type TextLine } from '../../web/export/text-line.js';
 import { paperSizes } from '../../web/model/paper.js';

@@ -4,6 +4,7 @@ import { renamed, startFrom, startInPlace } from '../model/edits.js';
 import type { EdgeName, JobStart, NetEdit, PartEdit, Piece } from '../model/job.js';
 import type { EdgeLock, FlapChoice } from '../model/job-options.js';
 import type { Message, MessageParams } from '../model/message.js';
+import { isPinOf } from '../model/piece-edits.js';
 import { BadOption } from '../words/bad-option.js';
 import type { Code, Messages } from '../words/messages.js';
 import { phraseOf } from '../words/phrase.js';
@@ -91,6 +92,13 @@ function withLock(
   return as === 'free' ? others : [...others, { from: edge[0], to: edge[1], as }];
 }
 
+/** The same start with room for so many sheets that there is this one, from 0. */
+function withSheet(start: JobStart | null, sheet: number): JobStart | null {
+  if (!start?.paper) return start;
+  const sheets = Math.max(start.paper.sheets, sheet + 1);
+  return { ...start, paper: { ...start.paper, sheets } };
+}
+
 /** Makes plans for one state. */
 class Planner {
   constructor(private readonly state: DocumentState) {}
@@ -145,9 +153,8 @@ class Planner {
     const piece: Piece | undefined = this.state.result.pieces[edit.piece - 1];
     const count = this.state.result.pieces.length;
     if (!piece) return refusal('no-piece', { piece: edit.piece, pieces: count });
-    const [part, face] = [piece.part, piece.sources[0]!];
     const { pins } = this.state.wishes;
-    const others = pins.filter((pin) => pin.part !== part || pin.face !== face);
+    const others = pins.filter((pin) => !isPinOf(pin, piece));
     if (edit.kind === 'unpin') {
       if (others.length === pins.length) {
         return refusal('not-pinned', { piece: edit.piece });
@@ -155,7 +162,10 @@ class Planner {
       return this.inPlace({ pins: others });
     }
     const { x_mm: x, y_mm: y, turn_deg: angle } = edit;
-    return this.inPlace({ pins: [...others, { part, face, sheet: edit.sheet - 1, x, y, angle }] });
+    const [part, face, sheet] = [piece.part, piece.sources[0]!, edit.sheet - 1];
+    const plan = this.inPlace({ pins: [...others, { part, face, sheet, x, y, angle }] });
+    // Who lays a piece on a sheet to come wants that sheet: all others stay where they are.
+    return { ...plan, start: withSheet(plan.start, sheet) };
   }
 
   private paper(options: Readonly<Record<string, unknown>>): EditPlan {

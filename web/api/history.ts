@@ -50,6 +50,11 @@ export class History {
     return this.steps[this.cursor + 1]?.edits ?? null;
   }
 
+  /** The state that undo leads to; null if there is none, or it was dropped. */
+  get before(): DocumentState | null {
+    return this.steps[this.cursor - 1]?.state ?? null;
+  }
+
   get canUndo(): boolean {
     return this.cursor > 0;
   }

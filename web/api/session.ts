@@ -12,7 +12,7 @@ import { makeReport, type Report } from '../export/report.js';
 import { echo, type Settings } from '../model/options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { startFrom } from '../model/edits.js';
-import type { JobStart } from '../model/job.js';
+import type { JobResult, JobStart } from '../model/job.js';
 import type { JobOptions } from '../model/job-options.js';
 import { probableModel, type ModelFiles } from '../model/model-files.js';
 import { addSeconds } from '../model/stage-seconds.js';
@@ -103,6 +103,11 @@ export class Session {
   /** The edits that undo would take back; null if there are none. */
   get lastStep(): readonly DocumentEdit[] | null {
     return this.history?.edits.at(-1) ?? null;
+  }
+
+  /** The result that undo leads to; null if there is none, or its memory was needed. @internal */
+  get before(): JobResult | null {
+    return this.history?.before?.result ?? null;
   }
 
   /** The edits that redo would make again; null if there are none. */

@@ -1,9 +1,7 @@
 import type { EdgeAction } from '../model/edge-edits.js';
-import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
-
-/** Pixels to be left between the card and what was clicked. */
-const air = 16;
+import { onPress } from './press.js';
+import { SheetCard } from './sheet-card.js';
 
 /** What the card says and offers. */
 export interface EdgeCardContent {
@@ -27,9 +25,8 @@ export interface EdgeCardListener {
   close(): void;
 }
 
-/** The card of the edge that is chosen: it lies over the sheets, so that nothing moves when it comes or goes. */
-export class EdgeCard extends Panel {
-  private readonly card = this.find('#edge-card', HTMLElement);
+/** The card of the edge that is chosen. */
+export class EdgeCard extends SheetCard {
   private readonly words = this.find('#edge-words', HTMLElement);
   private readonly outcome = this.find('#edge-outcome', HTMLElement);
   private readonly gift = this.find('#edge-gift', HTMLButtonElement);
@@ -39,13 +36,10 @@ export class EdgeCard extends Panel {
   private readonly buttons: readonly HTMLButtonElement[];
 
   constructor(place: StudioPlace, listener: EdgeCardListener) {
-    super(place);
+    super(place, '#edge-card');
     this.buttons = [...this.card.querySelectorAll<HTMLButtonElement>('[data-action]')];
     for (const button of this.buttons) {
-      button.addEventListener('click', () => {
-        if (button.getAttribute('aria-disabled') === 'true') return;
-        listener.act(button.dataset['action'] as EdgeAction);
-      });
+      onPress(button, () => listener.act(button.dataset['action'] as EdgeAction));
     }
     for (const button of this.walkButtons) {
       button.addEventListener('click', () =>
@@ -55,34 +49,21 @@ export class EdgeCard extends Panel {
     this.find('#edge-close', HTMLButtonElement).addEventListener('click', () => listener.close());
   }
 
-  /** Whether the keyboard is in the card. */
-  get hasFocus(): boolean {
-    return this.card.matches(':focus-within');
-  }
-
-  /** Lays the card at the lower end of what is seen of the sheets, or at the upper one if it would lie over a place there. */
-  keepOff(below: number): void {
-    this.card.dataset['end'] = 'bottom';
-    const { top, bottom } = this.card.getBoundingClientRect();
-    if (below > top - air && below < bottom + air) this.card.dataset['end'] = 'top';
-  }
-
   /** Shows an edge, or nothing. */
   show(content: EdgeCardContent | null): void {
     this.card.hidden = content === null;
     if (!content) return;
-    const { hasFocus } = this;
-    this.words.textContent = content.words;
-    this.outcome.textContent = content.outcome;
-    this.gift.textContent = content.gift;
-    this.walk.hidden = content.walk === null;
-    this.walkWords.textContent = content.walk?.words ?? '';
-    for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
-    for (const button of this.buttons) {
-      button.hidden = !content.actions.includes(button.dataset['action'] as EdgeAction);
-      button.setAttribute('aria-disabled', String(content.busy));
-    }
-    // The button that was pressed may be gone.
-    if (hasFocus && !this.hasFocus) this.card.focus({ preventScroll: true });
+    this.change(() => {
+      this.words.textContent = content.words;
+      this.outcome.textContent = content.outcome;
+      this.gift.textContent = content.gift;
+      this.walk.hidden = content.walk === null;
+      this.walkWords.textContent = content.walk?.words ?? '';
+      for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
+      for (const button of this.buttons) {
+        button.hidden = !content.actions.includes(button.dataset['action'] as EdgeAction);
+        button.setAttribute('aria-disabled', String(content.busy));
+      }
+    });
   }
 }

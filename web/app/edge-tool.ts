@@ -32,6 +32,7 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PlaceWalk } from './place-walk.js';
 import { sentence } from './sentence.js';
+import { followWork } from './sheet-choice.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
 
@@ -52,6 +53,10 @@ export interface EdgeToolListener {
   reveal(sheet: number): number;
   /** Makes an edit. */
   change(edit: DocumentEdit): Promise<Ending>;
+  /** An edge is chosen, or looked for: nothing else is chosen any more. */
+  alone(): void;
+  /** Finds something else of this name; false if there is nothing. */
+  findOther(name: string): boolean;
 }
 
 /**
@@ -87,14 +92,7 @@ export class EdgeTool extends Panel {
       event.preventDefault();
       this.search();
     });
-    const leave = (event: Event): void => {
-      if (event instanceof KeyboardEvent && event.key === 'Escape') this.close();
-    };
-    place.ground.addEventListener('keydown', leave, { signal: place.life });
-    store.on('work', () => {
-      if (store.work === 'running') this.close();
-      else this.show();
-    });
+    followWork(place, store, { close: () => this.close(), show: () => this.show() });
   }
 
   /** Takes another result; an edge that was chosen and is there still stays so. */
@@ -112,13 +110,15 @@ export class EdgeTool extends Panel {
     this.light();
   }
 
-  /** Lights the edge at a place, and says what it is. */
-  point(place: SheetPlace | null): void {
+  /** Lights the edge at a place, and says what it is; false if there is none. */
+  point(place: SheetPlace | null): boolean {
     const edge = place && this.edgeAt(place);
-    if (edge === this.pointed) return;
-    this.pointed = edge;
-    this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
-    this.light();
+    if (edge !== this.pointed) {
+      this.pointed = edge;
+      this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
+      this.light();
+    }
+    return edge !== null;
   }
 
   /** Shows where the first thing is that a finding is about, or, when asked once more, the next one. */
@@ -161,7 +161,7 @@ export class EdgeTool extends Panel {
     return this.edges?.nearest(sheet, point, far, reach.leastPixels * mmPerPixel) ?? null;
   }
 
-  /** Chooses what has the number in the field; once more: the next edge that has it. */
+  /** Chooses what has the number or name in the field; once more: the next edge that has the number. */
   private search(): void {
     const text = this.number.value.trim();
     if (text === '' || !this.edges) return;
@@ -173,7 +173,9 @@ export class EdgeTool extends Panel {
       return;
     }
     this.close();
-    const words = `No edge has the number ${text}.`;
+    if (this.listener.findOther(text)) return;
+    this.listener.alone();
+    const words = `No edge and no piece is called ${text}.`;
     this.card.show({ words, ...nothing });
   }
 
@@ -192,11 +194,13 @@ export class EdgeTool extends Panel {
     this.chosen = place.edge ?? null;
     this.piece = place.piece ?? null;
     this.outcome = '';
+    this.listener.alone();
     this.show();
     this.light(place);
   }
 
-  private close(): void {
+  /** Chooses no edge any more. */
+  close(): void {
     if (this.card.hasFocus) this.number.focus({ preventScroll: true });
     this.chosen = this.piece = this.walk = null;
     this.show();

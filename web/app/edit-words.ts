@@ -1,5 +1,6 @@
 import type { DocumentEdit, FlapChoiceSide, LockKind } from '../model/document-edits.js';
 import type { JobResult } from '../model/job.js';
+import { layingOf } from '../model/piece-edits.js';
 import { printedText, SheetEdges } from '../model/sheet-edges.js';
 
 type Kind = DocumentEdit['kind'];
@@ -7,15 +8,26 @@ type Kind = DocumentEdit['kind'];
 /** An edit at one edge. */
 type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' | 'lock' }>;
 
-/** Of the kinds that are about neither parts nor one edge of the result. */
+/** An edit of where one piece lies. */
+type PieceEdit = Extract<DocumentEdit, { kind: 'place' | 'unpin' }>;
+
+/** Of the kinds that are about neither parts nor one edge or piece of the result. */
 const words: Readonly<
   Record<
-    Exclude<Kind, 'split' | 'merge' | 'again' | 'assign' | 'name' | 'paper' | EdgeEdit['kind']>,
+    Exclude<
+      Kind,
+      | 'split'
+      | 'merge'
+      | 'again'
+      | 'assign'
+      | 'name'
+      | 'paper'
+      | EdgeEdit['kind']
+      | PieceEdit['kind']
+    >,
     string
   >
 > = {
-  place: 'moving a piece',
-  unpin: 'letting a piece go',
   print: 'change of look',
 };
 
@@ -63,6 +75,16 @@ function edgeEditWords(edit: EdgeEdit, result: JobResult): string {
   }
 }
 
+/** What an edit of where a piece lies does, in the result before it. */
+export function pieceEditWords(edit: PieceEdit, result: JobResult): string {
+  const piece = result.pieces[edit.piece - 1];
+  const name = piece?.name ?? 'a piece';
+  if (edit.kind === 'unpin') return `let ${name} move`;
+  const place = { sheet: edit.sheet - 1, x: edit.x_mm, y: edit.y_mm, turn: edit.turn_deg };
+  const laying = piece ? layingOf(piece, place) : 'moved';
+  return laying === 'kept' ? `kept ${name} in place` : `${laying} ${name}`;
+}
+
 /** "part 3", "parts 1 and 2"; parts count from 1. */
 function partNumbers(parts: readonly number[]): string {
   if (parts.length === 1) return `part ${parts[0]}`;
@@ -78,7 +100,7 @@ export function partsOf(edit: DocumentEdit): readonly number[] {
 /**
  * Names edits that are made in one go, to be read after "Undo: ".
  *
- * @param result the one before or after them, in which edges have their numbers
+ * @param result the one before them, or else after them, in which edges and pieces have their names
  */
 export function editWords(edits: readonly DocumentEdit[], result: JobResult): string {
   const [first] = edits;
@@ -104,6 +126,9 @@ export function editWords(edits: readonly DocumentEdit[], result: JobResult): st
       const [option = ''] = Object.keys(first.options);
       return `change of ${paperWords[option] ?? 'paper'}`;
     }
+    case 'place':
+    case 'unpin':
+      return pieceEditWords(first, result);
     default:
       return words[first.kind];
   }
@@ -115,6 +140,7 @@ export function touchedParts(
   after: JobResult,
   edits: readonly DocumentEdit[],
 ): number[] {
-  const named = new Set(edits.flatMap(partsOf));
+  const pieces = edits.flatMap((edit) => ('piece' in edit ? [before.pieces[edit.piece - 1]!] : []));
+  const named = new Set([...edits.flatMap(partsOf), ...pieces.map(({ part }) => part + 1)]);
   return [...new Set(after.labels.filter((_, face) => named.has(before.labels[face]! + 1)))];
 }

@@ -1,5 +1,6 @@
+import type { DocumentState } from '../api/document-state.js';
 import type { TimedResult } from '../core/client.js';
-import type { EdgeLock } from '../model/job-options.js';
+import type { EdgeLock, PinnedPiece } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
@@ -18,4 +19,12 @@ export interface FinishedRun {
   /** Edges that are always folds, or always cut. */
   locks: readonly EdgeLock[];
   result: TimedResult;
+  /** Pieces that stay where a person put them. */
+  pins: readonly PinnedPiece[];
+}
+
+/** The same run after edits that have led its document to another state. */
+export function editedRun(run: FinishedRun, { wishes, result }: DocumentState): FinishedRun {
+  const { settings, locks, pins } = wishes;
+  return { ...run, settings, locks, pins, result };
 }

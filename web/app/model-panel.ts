@@ -1,7 +1,7 @@
 import type { JobResult, Piece } from '../model/job.js';
 import type { Vector } from '../model/vector.js';
 import type { DrawingFailure } from '../view/drawing.js';
-import type { Painted } from '../view/model-message.js';
+import type { Painted, Pointed } from '../view/model-message.js';
 import { modelView } from '../view/model-view.js';
 import { BrushSwitch } from './brush-switch.js';
 import { FoldingPanel } from './folding-panel.js';
@@ -16,8 +16,8 @@ interface ShownModel {
 }
 
 export interface ModelListener {
-  /** A part of the model was clicked. */
-  pick(part: number): void;
+  /** The mouse is over a face of the model, or over none any more, or one was clicked. */
+  point(pointed: Pointed): void;
   /** Faces were painted in the colour of a part; they are shown so until `paint` is called. */
   paint(painted: Painted): void;
 }
@@ -35,7 +35,7 @@ export class ModelPanel extends Panel {
   private readonly name = this.find('#model-name', HTMLElement);
   private readonly view = modelView(this.picture, this.place.life, {
     onFailure: (failure) => this.excuse(excuses[failure]),
-    onPick: (part) => this.listener.pick(part),
+    onPoint: (pointed) => this.listener.point(pointed),
     isPainting: () => this.brush.isOn,
     onPaint: (painted) => this.listener.paint(painted),
   });
@@ -109,6 +109,11 @@ export class ModelPanel extends Panel {
   /** Lets parts stand out from all others, unless there are none. */
   select(parts: readonly number[]): void {
     this.view.post({ type: 'selected', parts });
+  }
+
+  /** Lights faces, in place of those that were lit before. */
+  lightFaces(faces: Int32Array): void {
+    this.view.post({ type: 'lit', faces });
   }
 
   hatch(hatched: boolean): void {

@@ -5,6 +5,7 @@ import { editWords } from './edit-words.js';
 import { Panel } from './panel.js';
 import { PartRow } from './part-row.js';
 import type { StudioPlace } from './place.js';
+import { onPress } from './press.js';
 import { finishedParts } from './result-words.js';
 import type { Store } from './store.js';
 
@@ -39,10 +40,10 @@ export class PartsPanel extends Panel {
     private readonly listener: PartsListener,
   ) {
     super(place);
-    this.on(this.splitButton, () => this.split());
-    this.on(this.mergeButton, () => this.merge());
-    this.on(this.undoButton, () => listener.undo());
-    this.on(this.redoButton, () => listener.redo());
+    onPress(this.splitButton, () => this.split());
+    onPress(this.mergeButton, () => this.merge());
+    onPress(this.undoButton, () => listener.undo());
+    onPress(this.redoButton, () => listener.redo());
     this.into.addEventListener('input', () => this.show());
     store.on('work', () => this.show());
     store.on('selection', () => this.show());
@@ -98,13 +99,6 @@ export class PartsPanel extends Panel {
     this.listener.rename({ kind: 'name', part: part + 1, text });
   }
 
-  /** A button that is not to be used keeps the keyboard's place all the same. */
-  private on(button: HTMLButtonElement, action: () => void): void {
-    button.addEventListener('click', () => {
-      if (button.getAttribute('aria-disabled') !== 'true') action();
-    });
-  }
-
   private show(): void {
     const { busy, canMove, run, selection, undoable, redoable } = this.store;
     const { length: count } = selection;
@@ -121,8 +115,10 @@ export class PartsPanel extends Panel {
       row.pressed = selection.includes(part);
       row.locked = busy;
     });
+    const { before } = this.store;
     const offer = (button: HTMLButtonElement, verb: string, edits: typeof undoable): void => {
-      button.textContent = edits && run ? `${verb}: ${editWords(edits, run.result)}` : verb;
+      const result = (button === this.undoButton && before) || run?.result;
+      button.textContent = edits && result ? `${verb}: ${editWords(edits, result)}` : verb;
       const hadFocus = button.matches(':focus');
       button.hidden = edits === null;
       if (edits === null && hadFocus) this.focus();

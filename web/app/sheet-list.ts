@@ -14,6 +14,9 @@ import type { ResultWriter } from './result-writer.js';
 import { placeOn, type SheetPlace } from './sheet-place.js';
 import type { MarksBySheet } from './step-marks.js';
 
+/** So many new sheets, as a piece changes that goes from one to another, come at once: the page must not move then. */
+const fewSheets = 2;
+
 /** What a sheet on the page was made of; two that were made of the same look the same. */
 interface SheetParts {
   source: string;
@@ -51,11 +54,21 @@ function drawSheet({ source, paints, caption, share }: SheetParts): HTMLLIElemen
 export interface SheetListener {
   /** The mouse is over a place of a sheet, or over none any more. */
   point(place: SheetPlace | null): void;
-  /** A place was clicked, or something beside all sheets; true if the click is not for the piece there. */
-  press(place: SheetPlace | null): boolean;
-  /** A piece of this part was clicked. */
-  pick(part: number): void;
+  /** A place was clicked, or something beside all sheets; `adds`: with a key that adds to what is chosen. */
+  press(place: SheetPlace | null, adds: boolean): void;
 }
+
+/** Pieces that stand out on the sheets, by their names. */
+export interface PieceLights {
+  chosen: string | null;
+  pointed: string | null;
+  /** It is on its way to another place, and fades where it lay. */
+  lifted: string | null;
+  /** It is being changed. */
+  waiting: string | null;
+}
+
+const noLights: PieceLights = { chosen: null, pointed: null, lifted: null, waiting: null };
 
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList extends Panel {
@@ -70,18 +83,18 @@ export class SheetList extends Panel {
   private marks: MarksBySheet = new Map();
   private lights: LightsBySheet = new Map();
   private locks: LocksBySheet = new Map();
+  private pieceLights = noLights;
   private selected: readonly number[] = [];
 
-  constructor(
-    place: StudioPlace,
-    private readonly listener: SheetListener,
-  ) {
+  constructor(place: StudioPlace, listener: SheetListener) {
     super(place);
     this.zoom.addEventListener('input', () => {
       this.list.toggleAttribute('data-fitted', false);
       this.resize();
     });
-    this.list.addEventListener('click', (event) => this.press(event));
+    this.list.addEventListener('click', (event) => {
+      listener.press(this.placeOf(event), event.shiftKey || event.ctrlKey || event.metaKey);
+    });
     this.list.addEventListener('pointermove', (event) => {
       // A finger that moves scrolls the page.
       if (event.pointerType === 'mouse') listener.point(this.placeOf(event));
@@ -109,16 +122,18 @@ export class SheetList extends Panel {
   }
 
   /**
-   * Puts the first of the sheets that were drawn in the place of those before.
+   * Puts the first of the sheets that were drawn in the place of those before, or all where few of them are new.
    *
    * @param whole puts all of them there, so that the page does not move
    */
   show(sheets: HTMLLIElement[], { pieces }: JobResult, whole = false): void {
+    this.lightPieces(noLights);
+    const fresh = sheets.filter((sheet) => !this.sheets.includes(sheet));
     this.sheets = sheets;
     this.pieces = pieces;
     this.mark(new Map());
     this.light(new Map());
-    const first = whole ? sheets.length : 1;
+    const first = whole || fresh.length <= fewSheets ? sheets.length : 1;
     this.list.replaceChildren(...sheets.slice(0, first));
     this.coming = sheets.slice(first);
     this.select(this.selected);
@@ -141,6 +156,7 @@ export class SheetList extends Panel {
     this.mark(this.marks);
     this.light(this.lights);
     this.lock(this.locks);
+    this.lightPieces(this.pieceLights);
     this.select(this.selected);
   }
 
@@ -177,11 +193,47 @@ export class SheetList extends Panel {
    * @returns how far it is below the upper end of the window then, in pixels
    */
   reveal(sheet: number): number {
-    const light = this.sheets[sheet]?.querySelector('[data-lights] > *');
-    if (!light) return 0;
-    light.scrollIntoView({ block: 'center', inline: 'center' });
-    const { top, height } = light.getBoundingClientRect();
-    return top + height / 2;
+    return this.centre(this.sheets[sheet]?.querySelector('[data-lights] > *'));
+  }
+
+  /** The same with a piece, by its name. */
+  revealPiece(name: string): number {
+    return this.centre(this.areaOf(name));
+  }
+
+  /** Lets pieces stand out, in place of those that did before. */
+  lightPieces(lights: PieceLights): void {
+    const before = this.pieceLights;
+    this.pieceLights = lights;
+    for (const kind of ['chosen', 'pointed', 'lifted', 'waiting'] as const) {
+      if (before[kind] !== lights[kind]) {
+        this.areaOf(before[kind])?.removeAttribute(`data-${kind}`);
+      }
+      this.areaOf(lights[kind])?.setAttribute(`data-${kind}`, '');
+    }
+  }
+
+  /** The outline of a piece, by its name, as it is drawn on its sheet; null while that is not on the page. */
+  outlineOf(name: string): string | null {
+    return this.areaOf(name)?.getAttribute('d') ?? null;
+  }
+
+  /** The picture of a sheet; null for one to come. */
+  pictureOf(sheet: number): SVGSVGElement | null {
+    return this.sheets[sheet]?.querySelector('svg') ?? null;
+  }
+
+  /** Where the pointer is on the nearest sheet, on it or beside it. */
+  nearestPlace(event: MouseEvent): SheetPlace | null {
+    const away = (sheet: HTMLLIElement): number => {
+      const { left, right, top, bottom } = sheet.getBoundingClientRect();
+      const across = Math.max(left - event.clientX, 0, event.clientX - right);
+      return Math.hypot(across, Math.max(top - event.clientY, 0, event.clientY - bottom));
+    };
+    const distances = this.sheets.map(away);
+    const sheet = distances.indexOf(Math.min(...distances));
+    const svg = this.pictureOf(sheet);
+    return svg && placeOn(svg, sheet, event);
   }
 
   /** Lets parts stand out from all others, unless there are none. */
@@ -197,12 +249,20 @@ export class SheetList extends Panel {
     }
   }
 
-  private press(event: MouseEvent): void {
-    if (this.listener.press(this.placeOf(event))) return;
-    const { target } = event;
-    const area = target instanceof SVGElement ? target.dataset['area'] : undefined;
-    const picked = this.pieces.find(({ name }) => name === area);
-    if (picked) this.listener.pick(picked.part);
+  private areaOf(name: string | null): SVGElement | null {
+    const sheet = this.pieces.find((piece) => piece.name === name)?.sheet;
+    const areas =
+      sheet === undefined
+        ? undefined
+        : this.sheets[sheet]?.querySelectorAll<SVGElement>('[data-area]');
+    return [...(areas ?? [])].find(({ dataset }) => dataset['area'] === name) ?? null;
+  }
+
+  private centre(element: Element | null | undefined): number {
+    if (!element) return 0;
+    element.scrollIntoView({ block: 'center', inline: 'center' });
+    const { top, height } = element.getBoundingClientRect();
+    return top + height / 2;
   }
 
   private placeOf(event: MouseEvent): SheetPlace | null {

@@ -7,7 +7,16 @@ import type { FinishedRun } from './finished-run.js';
 /** What the store needs of a session. */
 export type OpenModel = Pick<
   Session,
-  'inspect' | 'runWith' | 'state' | 'apply' | 'undo' | 'redo' | 'position' | 'lastStep' | 'nextStep'
+  | 'inspect'
+  | 'runWith'
+  | 'state'
+  | 'apply'
+  | 'undo'
+  | 'redo'
+  | 'position'
+  | 'lastStep'
+  | 'nextStep'
+  | 'before'
 >;
 
 /** A run that is drawn, but not on the page yet. */

@@ -4,13 +4,14 @@ import { JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { isRenaming, renamedBy } from '../model/edits.js';
+import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { touchedParts } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
-import type { FinishedRun } from './finished-run.js';
+import { editedRun, type FinishedRun } from './finished-run.js';
 import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
@@ -104,6 +105,11 @@ export class Store {
   /** What undo would take back; null if there is nothing. */
   get undoable(): readonly DocumentEdit[] | null {
     return this.session?.lastStep ?? null;
+  }
+
+  /** The result that undo leads to, where it is at hand. */
+  get before(): JobResult | null {
+    return this.session?.before ?? null;
   }
 
   /** What redo would make again; null if there is nothing. */
@@ -272,6 +278,7 @@ export class Store {
         pictures,
         locks: [],
         result,
+        pins: [],
       };
       return await this.present(run, { session, isWhole });
     } catch (error) {
@@ -334,9 +341,7 @@ export class Store {
     if ('type' in outcome) return outcome;
     if (!this.shownRun || runs !== this.runs) return { type: 'nothing' };
     const { state, position } = outcome;
-    const { settings, locks } = state.wishes;
-    const run = { ...this.shownRun, settings, locks, result: state.result };
-    return this.present(run, { session, position, edits: step.edits });
+    return this.present(editedRun(this.shownRun, state), { session, position, edits: step.edits });
   }
 
   private async make(
@@ -388,6 +393,8 @@ export class Store {
     const isNaming = before !== null && isRenaming(before.result, run.result);
     [this.shownRun, this.session, this.shownPosition] = [run, session, position];
     this.presentScene = 'result';
+    // Nobody shall look for a part that is gone.
+    this.selected = this.selected.filter((part) => part < run.result.parts);
     drawing.show({ isRenaming: isNaming });
     this.notify('scene');
     if (!isNaming) this.select(before ? touchedParts(before.result, run.result, edits) : []);

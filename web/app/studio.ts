@@ -24,6 +24,7 @@ import { fetchModelFile, readModelFiles, UnusableChoice, type ChosenModel } from
 import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
+import { PieceTool } from './piece-tool.js';
 import { PendingSettings } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
 import { PaperFollower } from './paper-follower.js';
@@ -70,6 +71,7 @@ export class Studio extends Panel {
   private readonly parts: PartsPanel;
   private readonly edges: EdgeTool;
   private readonly verdict: VerdictPanel;
+  private readonly pieces: PieceTool;
   private readonly welcome = this.find('#welcome', HTMLElement);
   /** Whether this browser can run it. */
   private isOpen = false;
@@ -82,11 +84,11 @@ export class Studio extends Panel {
   ) {
     super(place);
     this.store = this.makeStore();
-    const pick = (part: number): void => this.store.toggle(part);
     const sheets = new SheetList(place, {
-      point: (where) => this.edges.point(where),
-      press: (where) => this.edges.press(where),
-      pick,
+      point: (where) => this.pieces.point(this.edges.point(where) ? null : where),
+      press: (where, adds) => {
+        if (adds || !this.edges.press(where)) this.pieces.press(where, adds);
+      },
     });
     this.edges = new EdgeTool(place, this.store, {
       light: (lights) => sheets.light(lights),
@@ -94,12 +96,27 @@ export class Studio extends Panel {
       lightModel: (lit, from) => this.workshop.light(lit, from),
       reveal: (sheet) => sheets.reveal(sheet),
       change: (edit) => this.edit(this.store.apply([edit]), (run) => `Done: ${leadOf(run)}`),
+      alone: () => this.pieces.close(),
+      findOther: (name) => this.pieces.findNamed(name),
+    });
+    this.pieces = new PieceTool(place, this.store, sheets, {
+      lightFaces: (faces) => this.workshop.lightFaces(faces),
+      change: (edit, words) =>
+        this.edit(this.store.apply([edit]), (run) => words ?? `Done: ${leadOf(run)}`),
+      alone: () => this.edges.close(),
+    });
+    this.workshop = new Workshop(place, {
+      point: ({ face, why }) => {
+        if (this.store.scene !== 'result') return;
+        if (why === 'over') this.pieces.pointAtFace(face);
+        else if (face >= 0) this.pieces.pressFace(face, why === 'add');
+      },
+      paint: (painted) => void this.paint(painted),
     });
     this.verdict = new VerdictPanel(place, this.store, {
       show: (finding) => this.edges.walkThrough(finding),
       mend: (remedy) => this.mend(remedy),
     });
-    this.workshop = new Workshop(place, { pick, paint: (painted) => void this.paint(painted) });
     this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
@@ -374,6 +391,7 @@ export class Studio extends Panel {
     this.verdict.offer(drawn.run);
     this.parts.offer(result, isRenaming);
     this.edges.offer(drawn.run);
+    this.pieces.offer(drawn.run);
   }
 
   private tellUnchanged(reason: string): void {

@@ -157,6 +157,11 @@ export class Workshop extends Panel {
     this.model.select(parts);
   }
 
+  /** Lights faces of the finished model, in place of those that were lit before. */
+  lightFaces(faces: Int32Array): void {
+    this.model.lightFaces(faces);
+  }
+
   /** Draws the parts with hatches, or without. */
   hatch(hatched: boolean): void {
     this.model.hatch(hatched);

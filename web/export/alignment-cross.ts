@@ -1,5 +1,6 @@
 /** Crosses at the same places of both sides of a sheet: held up to the light, they show whether the sides fit. */
-import { bandHeight, bandLines, bandOf, type Stroke } from './sheet-frame.js';
+import { bandHeight, bandOf } from '../model/sheet-room.js';
+import { bandLines, type Stroke } from './sheet-frame.js';
 import type { Point } from './point.js';
 
 /** Of a cross, across and up: in the band it stays 0.75 mm away from pieces; mm. */

@@ -1,7 +1,8 @@
 /** Backs of sheets that are printed on both sides, so that fold lines need not cross the picture. */
 import { alignmentCrosses, crossRoom } from './alignment-cross.js';
 import type { Point, Segment } from './point.js';
-import { bandHeight, bandLines, bandOf } from './sheet-frame.js';
+import { bandHeight, bandOf } from '../model/sheet-room.js';
+import { bandLines } from './sheet-frame.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';
 import { shortened, type TextLine } from './text-line.js';
 

@@ -1,12 +1,5 @@
+import type { Area } from '../model/sheet-room.js';
 import type { Point } from './point.js';
-
-/** A part of a sheet; mm. */
-export interface Area {
-  left: number;
-  bottom: number;
-  right: number;
-  top: number;
-}
 
 // Side of a cell; mm.
 const cell = 1;

@@ -1,6 +1,7 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
 import type { PrintOptions } from '../model/print-options.js';
-import { bandOf, type SheetFrame, type Stroke } from './sheet-frame.js';
+import { bandOf } from '../model/sheet-room.js';
+import type { SheetFrame, Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
 import type { PieceDrawing, SheetDrawing } from './sheet-drawing.js';

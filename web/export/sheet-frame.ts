@@ -1,9 +1,10 @@
 /**
  * What every sheet carries besides its pieces: a ruler along its lower and its left edge, a box to
  * measure, which side is the outside of the model, title and number, and how to print it. All of it lies beside the pieces by construction:
- * the engine keeps that band free (`ruled_margin` in cpp/paper/sheets.h).
+ * the engine keeps those bands free (`bandOf`).
  */
 import { rulerLength, type LineKind } from '../model/print-options.js';
+import { bandHeight, bandOf } from '../model/sheet-room.js';
 import type { Point } from './point.js';
 import { capHeight, shortened, widthAtMost, type TextLine } from './text-line.js';
 
@@ -32,11 +33,6 @@ export interface SheetFramePlan {
   ends: number;
 }
 
-// As the engine has them: what printers leave white, unless the margin says that this one does not,
-// and the height of the band.
-const unprinted = 4;
-export const bandHeight = 5.5;
-
 // 6 points: small, but readable on every printer.
 const textSize = 2.1;
 // 4 points, for the box where there is no room for a larger one.
@@ -51,12 +47,6 @@ const [upperLine, lowerLine] = [3.1, 0.5];
 
 /** Of the two lines of text in the band: baselines over its lower edge, size, and what stays free beside them; mm. */
 export const bandLines = { upper: upperLine, lower: lowerLine, size: textSize, gap } as const;
-
-/** Where the band begins, and where pieces do, from the left and the lower edge; mm. */
-export function bandOf(margin: number): { from: number; to: number } {
-  const from = Math.min(margin, unprinted);
-  return { from, to: Math.max(margin, from + bandHeight) };
-}
 
 /** A mark each mm, longer ones each 5 and 10. */
 function tickHeight(at: number): number {

@@ -10,6 +10,7 @@ import {
 import { EdgeLines, nextCorner } from './edge-lines.js';
 import { addPaint, paintFaces } from './face-paint.js';
 import { HatchMaterial } from './hatch-material.js';
+import { LitFaces } from './lit-faces.js';
 import type { Corners } from './looked-mesh.js';
 import { flatMesh } from './model-geometry.js';
 
@@ -25,6 +26,7 @@ export class ModelMesh {
     new BufferGeometry(),
     new LineBasicMaterial({ color: ink }),
   );
+  private readonly lit = new LitFaces();
   private position = new BufferAttribute(new Float32Array(), 3);
   private normal = new BufferAttribute(new Float32Array(), 3);
   /** Corners at which the lines start and end: as many as there may ever be. */
@@ -37,7 +39,7 @@ export class ModelMesh {
   constructor() {
     // They are always in view, and in other places with every frame of a folding.
     this.mesh.frustumCulled = this.lines.frustumCulled = false;
-    this.group.add(this.mesh, this.lines);
+    this.group.add(this.mesh, this.lines, this.lit.mesh);
   }
 
   /** 3 per corner of the faces; those who write into it call `moved`. */
@@ -91,6 +93,7 @@ export class ModelMesh {
     this.lines.geometry.dispose();
     this.mesh.geometry = geometry;
     this.lines.geometry = lines;
+    this.lit.take(this.position);
   }
 
   /** Colours the faces by their parts. Those of another model are ignored. */
@@ -107,11 +110,17 @@ export class ModelMesh {
     paintFaces(this.mesh.geometry, this.labels, this.selected);
   }
 
-  /** The face that a ray meets first; -1 if it meets none. */
+  /** Lights faces, in place of those that were lit before. */
+  light(faces: Int32Array): void {
+    this.lit.light(faces);
+  }
+
+  /** The face that a ray meets first; -1 if it meets none that belongs to a part. */
   faceAlong(ray: Raycaster): number {
     // The faces may have moved since the last time.
     this.mesh.geometry.computeBoundingSphere();
-    return ray.intersectObject(this.mesh)[0]?.faceIndex ?? -1;
+    const face = ray.intersectObject(this.mesh)[0]?.faceIndex ?? -1;
+    return this.partOf(face) >= 0 ? face : -1;
   }
 
   /** The part of a face; -1 for none. */

@@ -3,6 +3,9 @@ import type { Looks } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
 import type { Vector } from '../model/vector.js';
 
+/** Why a place is pointed at: a mouse is over it, or it is clicked, alone or to add to what is chosen. */
+export type Pointing = 'over' | 'choose' | 'add';
+
 /** A turn by hand around the model. */
 export interface Turn {
   /** Radians around the upright axis. */
@@ -41,8 +44,10 @@ export type ModelMessage =
    * meant. `from`: a direction from which the model is looked at then, as long as it is whole.
    */
   | { type: 'lights'; edges: Int32Array; from: Vector | null }
-  /** Which part is seen at a place, from -1 to 1 to the right and up? Answered if there is one. */
-  | { type: 'point'; x: number; y: number }
+  /** Which face is seen at a place, from -1 to 1 to the right and up? Every question is answered. */
+  | { type: 'point'; x: number; y: number; why: Pointing }
+  /** Faces that are lit, in place of those before. Those of another model are ignored. */
+  | { type: 'lit'; faces: Int32Array }
   /**
    * A hand that paints, where it is as for `point`. It begins with the colour of a part and pulls it over other faces,
    * which is answered at its end; where it begins beside the model, it turns that.
@@ -62,11 +67,18 @@ export type ModelMessage =
   /** How far they are, from 0 (flat, side by side) to 1 (the model), which is where they begin. */
   | { type: 'time'; time: number };
 
+/** A face that was pointed at. */
+export interface Pointed {
+  /** -1 if there is none that belongs to a part. */
+  face: number;
+  why: Pointing;
+}
+
 /** Faces that were painted in the colour of a part. */
 export interface Painted {
   part: number;
   faces: number[];
 }
 
-/** What a picture of a model answers: the part that was pointed at, or what was painted. */
-export type ModelAnswer = { part: number; faces?: never } | Painted;
+/** What a picture of a model answers: the face that was pointed at, or what was painted. */
+export type ModelAnswer = (Pointed & { faces?: never }) | Painted;

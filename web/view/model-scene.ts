@@ -53,7 +53,7 @@ export class ModelScene {
 
   /**
    * @param canvas of a document or, in a worker, without one
-   * @param answer hears which part is seen where someone points
+   * @param answer hears which face is seen where someone points
    */
   constructor(
     canvas: HTMLCanvasElement | OffscreenCanvas,
@@ -89,10 +89,13 @@ export class ModelScene {
         this.light(message);
         break;
       case 'point':
-        this.pick(message.x, message.y);
+        this.pick(message);
         return;
       case 'stroke':
         this.stroke(message);
+        break;
+      case 'lit':
+        this.mesh.light(message.faces);
         break;
       case 'hatched':
         this.mesh.hatched = message.hatched;
@@ -157,9 +160,8 @@ export class ModelScene {
     return this.mesh.faceAlong(ray);
   }
 
-  private pick(x: number, y: number): void {
-    const part = this.mesh.partOf(this.faceAt(x, y));
-    if (part >= 0) this.answer({ part });
+  private pick({ x, y, why }: Extract<ModelMessage, { type: 'point' }>): void {
+    this.answer({ face: this.faceAt(x, y), why });
   }
 
   private stroke(stroke: Extract<ModelMessage, { type: 'stroke' }>): void {

@@ -1,6 +1,7 @@
 import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing, type DrawingFailure, type Places } from './drawing.js';
-import type { ModelAnswer, ModelMessage, Painted } from './model-message.js';
+import { Hover } from './hover.js';
+import type { ModelAnswer, ModelMessage, Painted, Pointed } from './model-message.js';
 import modelWorker from './model-worker.ts?worker&url';
 import { TurnInput } from './turn-input.js';
 import { startWebGl } from './webgl.js';
@@ -20,8 +21,8 @@ const places: Places<ModelMessage, ModelAnswer> = {
 export interface ModelViewListener {
   /** `impossible` where there is no WebGL 2. */
   onFailure(failure: DrawingFailure): void;
-  /** The part that was clicked. */
-  onPick(part: number): void;
+  /** A face is under the mouse or was clicked; the mouse is over none any more if it is -1. */
+  onPoint(pointed: Pointed): void;
   /** Whether hands paint. */
   isPainting(): boolean;
   /** What they have painted, which is shown so until the faces are coloured anew. */
@@ -40,14 +41,22 @@ export function modelView(
 ): Drawing<ModelMessage, ModelAnswer> {
   const view = new Drawing(frame, places, life, {
     onFailure: (failure) => listener.onFailure(failure),
-    onAnswer: ({ part, faces }) => {
-      if (faces) listener.onPaint({ part, faces });
-      else listener.onPick(part);
+    onAnswer: (answer) => {
+      if (answer.faces) return listener.onPaint(answer);
+      if (answer.why !== 'over' || hover.answered()) listener.onPoint(answer);
     },
   });
+  const hover = new Hover((x, y) => view.post({ type: 'point', x, y, why: 'over' }));
   new TurnInput(frame, {
     turn: (turn) => view.post({ type: 'turn', ...turn }),
-    point: (x, y) => view.post({ type: 'point', x, y }),
+    point: (place, why) => {
+      if (why !== 'over') return void (place && view.post({ type: 'point', ...place, why }));
+      if (place) hover.ask(place);
+      else {
+        hover.end();
+        listener.onPoint({ face: -1, why });
+      }
+    },
     stroke: (stroke) => view.post({ type: 'stroke', ...stroke }),
     isPainting: () => listener.isPainting(),
   });

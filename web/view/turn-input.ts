@@ -1,4 +1,4 @@
-import type { Turn } from './model-message.js';
+import type { Pointing, Turn } from './model-message.js';
 
 /** A drag as long as the picture is high goes once around. */
 const fullTurn = 2 * Math.PI;
@@ -26,7 +26,7 @@ const keyTurns: Readonly<Record<string, Partial<Turn>>> = {
 /** Pixels that a hand may tremble between press and release. */
 const tremble = 5;
 
-interface Point {
+export interface Point {
   x: number;
   y: number;
 }
@@ -40,7 +40,8 @@ export interface Stroke extends Point, Turn {
 export interface HandListener {
   /** Is also called when the picture is grabbed, with a turn that moves nothing. */
   turn(turn: Turn): void;
-  point(x: number, y: number): void;
+  /** `place` is null when the mouse has left. */
+  point(place: Point | null, why: Pointing): void;
   stroke(stroke: Stroke): void;
   /** Whether a drag is a stroke. */
   isPainting(): boolean;
@@ -65,6 +66,7 @@ export class TurnInput {
     frame.addEventListener('pointerdown', (event) => this.grab(event));
     frame.addEventListener('pointermove', (event) => this.drag(event));
     frame.addEventListener('pointerup', (event) => this.release(event));
+    frame.addEventListener('pointerleave', () => listener.point(null, 'over'));
     frame.addEventListener('pointercancel', (event) => {
       this.held.delete(event.pointerId);
       this.endStroke(event);
@@ -107,20 +109,22 @@ export class TurnInput {
   }
 
   private release(event: PointerEvent): void {
-    const { pointerId, clientX, clientY } = event;
+    const { pointerId, clientX, clientY, shiftKey, ctrlKey, metaKey } = event;
     this.held.delete(pointerId);
     const { pressed, isStroke } = this;
     this.pressed = null;
     if (isStroke) return this.endStroke(event);
     if (!pressed || Math.hypot(clientX - pressed.x, clientY - pressed.y) > tremble) return;
-    const { x, y } = this.placeOf(event);
-    this.listener.point(x, y);
+    this.listener.point(this.placeOf(event), shiftKey || ctrlKey || metaKey ? 'add' : 'choose');
   }
 
   private drag(event: PointerEvent): void {
-    const { pointerId, clientX, clientY } = event;
+    const { pointerId, clientX, clientY, pointerType } = event;
     const from = this.held.get(pointerId);
-    if (!from) return;
+    if (!from) {
+      if (pointerType === 'mouse') this.listener.point(this.placeOf(event), 'over');
+      return;
+    }
     const to = { x: clientX, y: clientY };
     this.held.set(pointerId, to);
     const other = [...this.held].find(([id]) => id !== pointerId)?.[1];

@@ -1,0 +1,188 @@
+import type { PartOffer } from '../model/piece-edits.js';
+import { make } from './dom.js';
+import { listed } from './folding-words.js';
+import type { StudioPlace } from './place.js';
+import { onPress } from './press.js';
+import { SheetCard } from './sheet-card.js';
+
+/** Degrees and mm of one press, and of one with Shift. */
+const fineTurn = { plain: 5, shift: 1 };
+const step = { plain: 1, shift: 10 };
+
+/** Where arrows lead: to the right, and up. */
+const arrows: Readonly<Record<string, readonly [right: number, up: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+/** What the card says and offers. */
+export interface PieceCardContent {
+  words: string;
+  /** The name that a person has given it, or is about to; null if it can have none now. */
+  name: string | null;
+  /** Where it is, from 0, and how many sheets there are. */
+  sheet: number;
+  sheets: number;
+  /** Whether it stays where it is. */
+  isPinned: boolean;
+  /** What it can be joined with. */
+  joins: readonly PartOffer[];
+  /** Whether it is at a place where it cannot stay. */
+  isStuck: boolean;
+  /** Whether changes have to wait. */
+  busy: boolean;
+  /** What came of the last change, or why it was not made. */
+  outcome: string;
+}
+
+export interface PieceCardListener {
+  /** Degrees, counter-clockwise. */
+  turn(degrees: number): void;
+  /** mm. */
+  nudge(right: number, up: number): void;
+  /** To a sheet, from 0; one behind the last is a new one. */
+  takeTo(sheet: number): void;
+  /** Somewhere on its sheet where there is room. */
+  findRoom(): void;
+  /** It shall stay where it is, or need not any more. */
+  pin(isPinned: boolean): void;
+  rename(name: string): void;
+  split(): void;
+  again(): void;
+  /** With a part, from 0. */
+  join(part: number): void;
+  close(): void;
+}
+
+/** The card of the piece that is chosen. */
+export class PieceCard extends SheetCard {
+  private readonly words = this.find('#piece-words', HTMLElement);
+  private readonly name = this.find('#piece-name', HTMLInputElement);
+  private readonly nameLabel = this.find('#piece-name-label', HTMLElement);
+  private readonly sheet = this.find('#piece-sheet', HTMLSelectElement);
+  private readonly pin = this.find('#piece-pin', HTMLButtonElement);
+  private readonly joining = this.find('#piece-joining', HTMLElement);
+  private readonly partner = this.find('#piece-partner', HTMLSelectElement);
+  private readonly room = this.find('#piece-room', HTMLButtonElement);
+  private readonly outcome = this.find('#piece-outcome', HTMLElement);
+  /** What has to wait while something else changes. */
+  private readonly buttons: readonly HTMLButtonElement[];
+  private content: PieceCardContent | null = null;
+  /** Whether the field for the name holds what was neither applied nor taken back. */
+  private isNaming = false;
+
+  constructor(
+    place: StudioPlace,
+    private readonly listener: PieceCardListener,
+  ) {
+    super(place, '#piece-card');
+    const button = (id: string, action: () => void): HTMLButtonElement => {
+      const found = this.find(id, HTMLButtonElement);
+      onPress(found, action);
+      return found;
+    };
+    onPress(this.pin, () => listener.pin(!this.content?.isPinned));
+    this.buttons = [
+      this.pin,
+      button('#piece-split', () => listener.split()),
+      button('#piece-again', () => listener.again()),
+      button('#piece-join', () => listener.join(Number(this.partner.value))),
+    ];
+    button('#piece-room', () => listener.findRoom());
+    button('#piece-close', () => listener.close());
+    this.sheet.addEventListener('change', () => listener.takeTo(Number(this.sheet.value)));
+    this.hearMoves();
+    this.hearName();
+  }
+
+  /** Shows a piece, or nothing. */
+  show(content: PieceCardContent | null): void {
+    this.content = content;
+    this.card.hidden = content === null;
+    if (!content) {
+      this.isNaming = false;
+      return;
+    }
+    this.change(() => this.fill(content));
+  }
+
+  /** Moves the keyboard here. */
+  focus(): void {
+    this.card.focus({ preventScroll: true });
+  }
+
+  private fill(content: PieceCardContent): void {
+    this.words.textContent = content.words;
+    this.nameLabel.hidden = content.name === null;
+    this.name.readOnly = content.busy;
+    if (!this.isNaming) this.name.value = content.name ?? '';
+    this.fillSheets(content);
+    this.pin.textContent = content.isPinned ? 'Let it move' : 'Keep it here';
+    this.joining.hidden = content.joins.length === 0;
+    const { value } = this.partner;
+    this.partner.replaceChildren(
+      ...content.joins.map(({ part, pieces }) =>
+        make('option', { value: String(part), textContent: listed(pieces) }),
+      ),
+    );
+    // Who has chosen one finds it chosen still.
+    if (content.joins.some(({ part }) => String(part) === value)) this.partner.value = value;
+    this.room.hidden = !content.isStuck;
+    this.outcome.textContent = content.outcome;
+    for (const one of this.buttons) one.setAttribute('aria-disabled', String(content.busy));
+  }
+
+  private fillSheets({ sheet, sheets }: PieceCardContent): void {
+    const options = Array.from({ length: Math.max(sheets, sheet + 1) }, (_, i) =>
+      make('option', { value: String(i), textContent: String(i + 1) }),
+    );
+    const more = make('option', { value: String(options.length), textContent: 'a new one' });
+    this.sheet.replaceChildren(...options, more);
+    this.sheet.value = String(sheet);
+  }
+
+  private hearMoves(): void {
+    const { listener } = this;
+    for (const button of this.card.querySelectorAll<HTMLButtonElement>('[data-turn]')) {
+      const degrees = Number(button.dataset['turn']);
+      const fine = Math.sign(degrees) * fineTurn.shift;
+      const isFine = Math.abs(degrees) === fineTurn.plain;
+      onPress(button, ({ shiftKey }) => listener.turn(isFine && shiftKey ? fine : degrees));
+    }
+    for (const button of this.card.querySelectorAll<HTMLButtonElement>('[data-arrow]')) {
+      onPress(button, ({ shiftKey }) => this.move(button.dataset['arrow'] ?? '', shiftKey));
+    }
+    this.card.addEventListener('keydown', (event) => {
+      const { target, key, shiftKey, ctrlKey, metaKey, altKey } = event;
+      const isField = target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+      if (isField || ctrlKey || metaKey || altKey || !arrows[key]) return;
+      event.preventDefault();
+      this.move(key, shiftKey);
+    });
+  }
+
+  private move(arrow: string, isFar: boolean): void {
+    const way = arrows[arrow];
+    if (!way) return;
+    const length = isFar ? step.shift : step.plain;
+    this.listener.nudge(length * way[0], length * way[1]);
+  }
+
+  private hearName(): void {
+    this.name.addEventListener('input', () => (this.isNaming = true));
+    this.name.addEventListener('change', () => {
+      if (!this.isNaming) return;
+      this.isNaming = false;
+      this.listener.rename(this.name.value.trim());
+    });
+    this.name.addEventListener('keydown', (event) => {
+      // While it is being written, Escape takes a name back and leaves the card open.
+      if (event.key !== 'Escape' || event.isComposing || !this.isNaming) return;
+      event.stopPropagation();
+      this.isNaming = false;
+      this.name.value = this.content?.name ?? '';
+    });
+  }
+}
