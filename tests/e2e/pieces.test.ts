@@ -23,7 +23,8 @@ async function open(studio: StudioPage): Promise<string> {
 
 /** The hash of the result that a change leads to. */
 async function changed(studio: StudioPage, before: string): Promise<string> {
-  await studio.page.locator(`#result:not([data-hash="${before}"])`).waitFor();
+  const other = studio.page.locator(`#result:not([data-hash="${before}"])`);
+  await other.waitFor({ timeout: 60_000 });
   return studio.resultOf('whale');
 }
 
@@ -110,7 +111,6 @@ test('a piece is dragged on its sheet and to another one, and refused where it c
     await page.mouse.down();
     await page.mouse.move(x - 40, y + 30, { steps: 4 });
     await page.locator('.ghost--free').waitFor();
-    await studio.picture('pieces-drag');
     // Escape puts it back.
     await page.keyboard.press('Escape');
     expect(await page.locator('.ghost').count()).toBe(0);
@@ -120,6 +120,7 @@ test('a piece is dragged on its sheet and to another one, and refused where it c
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x - 40, y + 30, { steps: 4 });
+    await page.locator('.ghost--free').waitFor();
     await page.mouse.up();
     const moved = await changed(studio, first);
     const after = await boxes(page);
