@@ -23,6 +23,11 @@ export interface FinishedRun {
   pins: readonly PinnedPiece[];
 }
 
+/** A run that has just come to its result, without any edits. */
+export function newRun(made: Omit<FinishedRun, 'locks' | 'pins'>): FinishedRun {
+  return { ...made, locks: [], pins: [] };
+}
+
 /** The same run after edits that have led its document to another state. */
 export function editedRun(run: FinishedRun, { wishes, result }: DocumentState): FinishedRun {
   const { settings, locks, pins } = wishes;

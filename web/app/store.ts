@@ -11,7 +11,7 @@ import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { touchedParts } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
-import { editedRun, type FinishedRun } from './finished-run.js';
+import { editedRun, newRun, type FinishedRun } from './finished-run.js';
 import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
@@ -271,15 +271,8 @@ export class Store {
       const session = await this.inspector.open(model);
       await session.runWith(settings, work);
       const { result } = await session.state();
-      const run: FinishedRun = {
-        model: { ...model, name: result.file },
-        settings,
-        fields,
-        pictures,
-        locks: [],
-        result,
-        pins: [],
-      };
+      const read = { ...model, name: result.file };
+      const run = newRun({ model: read, settings, fields, pictures, result });
       return await this.present(run, { session, isWhole });
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled' };

@@ -53,7 +53,10 @@ export interface StudioListener {
   onEvent(event: TimedEvent): void;
 }
 
-/** Ties panels and store together: what a person does becomes a command, and its ending is told in words. */
+/**
+ * Ties panels and store together: what a person does becomes a command, and its ending is told in words. Longer than other
+ * files: here is all that knows of more than one panel.
+ */
 export class Studio extends Panel {
   private readonly store: Store;
   private readonly message = new MessagePanel(this.place);
