@@ -57,7 +57,10 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--flaps', '0'], "option '--flaps': '0' is not a number from 1 to 50, nor none"],
     [['--flap-angle', '61'], "option '--flap-angle': '61' is not a number from 10 to 60"],
     [['--flap-side', 'left'], "option '--flap-side': 'left' is not one or alternate or both"],
-    [['--ids', 'outside'], "option '--ids': 'outside' is not inside or flap or both or none"],
+    [
+      ['--ids', 'everywhere'],
+      "option '--ids': 'everywhere' is not inside or flap or both or outside or none",
+    ],
     [['--depth', '0'], "option '--depth': '0' is not a number from 1 to 100000, nor none"],
     [['--width', '9', '--depth', '9'], "option '--depth': the size is given by '--width'"],
     [['--up', 'w'], "option '--up': 'w' is not guess or x or y or z"],
