@@ -8,6 +8,7 @@
 
 #include "geometry/box_pairs.h"
 #include "geometry/convex2.h"
+#include "mesh/panel_places.h"
 
 namespace foldwright {
 namespace {
@@ -16,53 +17,24 @@ namespace {
 constexpr double kTouching = 1e-3;
 constexpr double kParallel = 1e-3;
 
+// How far beside their places lines are cut at the edges of faces, in mean edge lengths.
+constexpr double kAside = 1e-6;
+
 // Shorter lines, in mean edge lengths, only touch a face.
 constexpr double kShortest = 1e-2;
 
-/// A panel in space.
-struct Plane {
-  Vec3 normal, centroid;
-  double area;
-  int body;
-  Box3 box;
-};
-
-Vec3 area_vector(const Mesh& mesh, int face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  const Vec3& origin = mesh.positions[a];
-  return 0.5 * (mesh.positions[b] - origin).cross(mesh.positions[c] - origin);
-}
-
-std::vector<Plane> planes_of(const Mesh& mesh, const DualGraph& graph) {
-  std::vector<Plane> planes;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    Vec3 sum = Vec3::Zero();
-    Vec3 centroid = Vec3::Zero();
-    Eigen::AlignedBox3d box;
-    for (const int face : graph.panel_faces(panel)) {
-      const Vec3 area = area_vector(mesh, face);
-      sum += area;
-      for (const int v : mesh.faces[face]) {
-        centroid += area.norm() / 3 * mesh.positions[v];
-        box.extend(mesh.positions[v]);
-      }
-    }
-    const double reach = kTouching * graph.unit;
-    const Box3 reached = {{box.min().x() - reach, box.min().y() - reach, box.min().z() - reach},
-                          {box.max().x() + reach, box.max().y() + reach, box.max().z() + reach}};
-    planes.push_back({sum.normalized(), centroid / graph.areas[panel], graph.areas[panel],
-                      mesh.components[graph.panel_faces(panel)[0]], reached});
+/// The box of a panel, and what may touch it.
+Box3 reach_of(const Mesh& mesh, const DualGraph& graph, int panel) {
+  Eigen::AlignedBox3d box;
+  for (const int face : graph.panel_faces(panel)) {
+    for (const int v : mesh.faces[face]) box.extend(mesh.positions[v]);
   }
-  return planes;
+  const Box3 tight = {{box.min().x(), box.min().y(), box.min().z()},
+                      {box.max().x(), box.max().y(), box.max().z()}};
+  return tight.grown(kTouching * graph.unit);
 }
 
-std::vector<double> body_areas(const std::vector<Plane>& planes, int bodies) {
-  std::vector<double> areas(bodies, 0);
-  for (const Plane& plane : planes) areas[plane.body] += plane.area;
-  return areas;
-}
-
-bool do_touch(const Plane& a, const Plane& b, double unit) {
+bool do_touch(const PanelPlace& a, const PanelPlace& b, double unit) {
   return (a.normal + b.normal).norm() < kParallel &&
          std::abs(a.normal.dot(b.centroid - a.centroid)) < kTouching * unit;
 }
@@ -77,7 +49,6 @@ std::optional<std::array<Vec3, 2>> clipped(const std::array<Vec3, 3>& triangle, 
     const double start = inwards.dot(from - triangle[i]);
     const double step = inwards.dot(to - from);
     if (std::abs(step) < 1e-12 * inwards.squaredNorm()) {
-      // On a side it counts for one of the two faces there, whichever it is.
       if (start < 0) return std::nullopt;
       continue;
     }
@@ -89,7 +60,7 @@ std::optional<std::array<Vec3, 2>> clipped(const std::array<Vec3, 3>& triangle, 
   return std::array<Vec3, 2>{from + enter * (to - from), from + leave * (to - from)};
 }
 
-/// The borders of a panel, as segments.
+/// The borders of a panel, as segments that have it on their left.
 std::vector<std::array<Vec3, 2>> rim_of(const Mesh& mesh, std::span<const int> faces) {
   std::vector<std::array<Vec3, 2>> rim;
   for (const int face : faces) {
@@ -98,7 +69,8 @@ std::vector<std::array<Vec3, 2>> rim_of(const Mesh& mesh, std::span<const int> f
       const int other = a == face ? b : a;
       if (std::ranges::binary_search(faces, other)) continue;
       const auto& [v, w] = mesh.edges[e].vertices;
-      rim.push_back({mesh.positions[v], mesh.positions[w]});
+      const auto& [from, to] = a == face ? std::pair(v, w) : std::pair(w, v);
+      rim.push_back({mesh.positions[from], mesh.positions[to]});
     }
   }
   return rim;
@@ -123,23 +95,29 @@ Vec2 laid(const Mesh& mesh, const Net& net, std::size_t at, const Vec3& p) {
 std::vector<Contact> find_contacts(const Mesh& mesh, const DualGraph& graph) {
   std::vector<Contact> contacts;
   if (mesh.component_count < 2) return contacts;
-  const std::vector<Plane> planes = planes_of(mesh, graph);
-  const std::vector<double> areas = body_areas(planes, mesh.component_count);
+  const std::vector<PanelPlace> places = panel_places(mesh, graph);
+  std::vector<double> areas(mesh.component_count, 0);
+  std::vector<int> body;
   std::vector<Box3> boxes;
-  for (const Plane& plane : planes) boxes.push_back(plane.box);
+  for (int panel = 0; panel < graph.panel_count(); ++panel) {
+    body.push_back(mesh.components[graph.panel_faces(panel)[0]]);
+    areas[body[panel]] += graph.areas[panel];
+    boxes.push_back(reach_of(mesh, graph, panel));
+  }
   for (const auto& [a, b] : meeting_boxes(boxes)) {
-    if (planes[a].body == planes[b].body || !do_touch(planes[a], planes[b], graph.unit)) continue;
+    if (body[a] == body[b] || !do_touch(places[a], places[b], graph.unit)) continue;
     // The smaller body stands on the larger one, of equals the later one.
-    const auto rank = [&](int panel) {
-      return std::pair(areas[planes[panel].body], -planes[panel].body);
-    };
+    const auto rank = [&](int panel) { return std::pair(areas[body[panel]], -body[panel]); };
     const auto [guest, host] = rank(a) < rank(b) ? std::pair(a, b) : std::pair(b, a);
     const std::span<const int> faces = graph.panel_faces(guest);
     for (const auto& [from, to] : rim_of(mesh, faces)) {
+      // A hair outside of the guest: a rim along a diagonal of the host lies in one face then, and
+      // one along the host's own rim, where a line is drawn anyway, in none.
+      const Vec3 aside = kAside * graph.unit * (to - from).cross(places[guest].normal).normalized();
       for (const int face : graph.panel_faces(host)) {
         const auto& [i, j, k] = mesh.faces[face];
         const auto part = clipped({mesh.positions[i], mesh.positions[j], mesh.positions[k]},
-                                  planes[host].normal, from, to);
+                                  places[host].normal, from + aside, to + aside);
         if (!part || ((*part)[1] - (*part)[0]).norm() < kShortest * graph.unit) continue;
         contacts.push_back({face, faces[0], (*part)[0], (*part)[1]});
       }

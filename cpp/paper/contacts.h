@@ -16,7 +16,8 @@ struct Contact {
 };
 
 /// Where panels of bodies lie on panels of larger ones, face to face, to a thousandth of the mean
-/// edge length: the rims of the smaller ones, cut at the edges of the others' faces. Near-linear.
+/// edge length: the rims of the smaller ones, cut at the edges of the others' faces. Near-linear in
+/// panels; for two that touch, edges of the one times faces of the other.
 std::vector<Contact> find_contacts(const Mesh& mesh, const DualGraph& graph);
 
 /// What is to be drawn on a net where others stand.

@@ -61,6 +61,14 @@ class CompactStage : public Stage {
   }
 
  private:
+  /// What becomes of a net if it folds.
+  struct Copy {
+    int net;
+    FoundNet copy;
+  };
+  /// Of a round, see `go_on_with_round`.
+  enum class Step { kImprove, kCopy, kMeasure };
+
   /// Nets that are all kept stay as they are.
   static bool has_work(const JobState& state) {
     const auto is_kept = [](const FoundNet& net) { return net.region.kept; };
@@ -112,7 +120,8 @@ class CompactStage : public Stage {
       if (state.nets[twins_[n]->of].motion.certified() && !copy->motion.certified()) {
         // The planner tries first whether it folds straight.
         PlanTask task{copy->folds, state.options.clearance, 0};
-        copies_[queue.add(state.surface, panels_of(state, n), std::move(task))] = {n, *copy};
+        copies_[queue.add(state.surface, model_panels(state, copy->region), std::move(task))] = {
+            n, *copy};
       } else {
         state.nets[n] = *std::move(copy);
       }
@@ -140,7 +149,7 @@ class CompactStage : public Stage {
 
   void queue_net(const JobState& state, TaskQueue& queue, int n) {
     const FoundNet& net = state.nets[n];
-    std::vector<int> panels = panels_of(state, n);
+    std::vector<int> panels = model_panels(state, net.region);
     const std::uint64_t seed =
         task_seed(state.options.seed, SeedTag::kAnnealing, static_cast<std::uint64_t>(n),
                   static_cast<std::uint64_t>(round_ + 1));
@@ -153,15 +162,6 @@ class CompactStage : public Stage {
     task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.clearance : 0;
     task.annealing.seed = seed;
     nets_[queue.add(state.surface, std::move(panels), std::move(task))] = n;
-  }
-
-  static std::vector<int> panels_of(const JobState& state, int n) {
-    const Region& region = state.nets[n].region;
-    std::vector<int> panels;
-    for (const int panel : region.panels) {
-      panels.push_back(state.components[region.component].panels[panel]);
-    }
-    return panels;
   }
 
   static std::int64_t work_for(const JobState& state, std::size_t panels) {
@@ -192,12 +192,7 @@ class CompactStage : public Stage {
   std::optional<BorderRooms> borders_;
   std::map<int, int> nets_;  ///< by task
   std::vector<std::optional<Twin>> twins_;
-  struct Copy {
-    int net;
-    FoundNet copy;
-  };
   std::map<int, Copy> copies_;  ///< that are looked at whether they fold, by task
-  enum class Step { kImprove, kCopy, kMeasure };
   Step step_ = Step::kImprove;
 };
 

@@ -55,7 +55,7 @@ PaperDrafter::PaperDrafter(const JobState& state, double scale, int effort)
     : state_(state),
       scale_(scale),
       effort_(effort),
-      cutter_(state, without_small_bodies(state, scale), scale) {}
+      cutter_(state, without_small_bodies(state, scale).printed, scale) {}
 
 FitStep PaperDrafter::step() {
   switch (phase_) {

@@ -203,6 +203,10 @@ class PaperStage : public Stage {
       net.place = {place.sheet, motion};
       result.nets.push_back(save_net(state.components[net.region.component], net));
     }
+    // Whoever wants them printed after all need not search them again.
+    for (const FoundNet& net : without_small_bodies(state, result.sheets.scale).left_out) {
+      result.nets.push_back(save_net(state.components[net.region.component], net));
+    }
     add_size_notices(state);
     add_smaller_notice(state, result.sheets, plan_->smaller);
     add_small_bodies_notice(state, result.sheets.scale);

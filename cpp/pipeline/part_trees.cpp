@@ -57,10 +57,7 @@ Region PartTrees::region(const JobState& state, int part) const {
   Region region;
   region.component = parts_[part].component;
   region.part = part;
-  const Labels& labels = state.components[region.component].labels;
-  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
-    if (labels[panel] == parts_[part].label) region.panels.push_back(panel);
-  }
+  region.panels = panels_of(state.components[region.component].labels, parts_[part].label);
   return region;
 }
 

@@ -95,7 +95,7 @@ struct JobResult {
   int parts = 0;
   std::vector<PartName> names;  ///< those that were chosen, by the numbers of these parts
   std::vector<Piece> pieces;    ///< in the order of gluing
-  std::vector<SavedNet> nets;   ///< of the pieces
+  std::vector<SavedNet> nets;   ///< of the pieces, and then of what is not printed
   SheetLayout sheets;
   FlapCounts flap_counts;
   std::vector<MissedFlap> missed_flaps;

@@ -181,11 +181,9 @@ class SearchStage : public Stage {
     const Component& component = state.components[c];
     for (int label = 0; label < static_cast<int>(component.part_numbers.size()); ++label) {
       const int part = component.part_numbers[label];
-      Region region{c, part, part < trees_->part_count() ? Cause::kPart : Cause::kNoNet, {}};
-      for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
-        if (component.labels[panel] == label) region.panels.push_back(panel);
-      }
-      start(state, queue, std::move(region));
+      // A part that only its equal came to is none that could exchange panels.
+      const Cause cause = part < trees_->part_count() ? Cause::kPart : Cause::kNoNet;
+      start(state, queue, {c, part, cause, panels_of(component.labels, label)});
     }
   }
 
@@ -237,10 +235,7 @@ class SearchStage : public Stage {
   }
 
   void queue_work(const JobState& state, TaskQueue& queue, Search search, Work work) {
-    std::vector<int> panels;
-    for (const int panel : search.region.panels) {
-      panels.push_back(state.components[search.region.component].panels[panel]);
-    }
+    std::vector<int> panels = model_panels(state, search.region);
     const int id = queue.add(state.surface, std::move(panels), std::move(work));
     searches_.emplace(id, std::move(search));
   }

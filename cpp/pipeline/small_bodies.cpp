@@ -1,6 +1,7 @@
 #include "pipeline/small_bodies.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace foldwright {
 namespace {
@@ -36,13 +37,16 @@ std::set<int> small_bodies(const JobState& state, double scale) {
   return small;
 }
 
-std::vector<FoundNet> without_small_bodies(const JobState& state, double scale) {
-  std::vector<FoundNet> nets = state.nets;
+PrintedNets without_small_bodies(const JobState& state, double scale) {
+  PrintedNets nets;
   const std::set<int> small = small_bodies(state, scale);
-  if (small.empty()) return nets;
-  std::erase_if(nets, [&](const FoundNet& net) { return small.contains(body_of(state, net)); });
+  for (const FoundNet& net : state.nets) {
+    const bool is_small = !small.empty() && small.contains(body_of(state, net));
+    (is_small ? nets.left_out : nets.printed).push_back(net);
+  }
   // The longest body may have no net yet, where a job was cancelled.
-  return nets.empty() ? state.nets : nets;
+  if (nets.printed.empty()) std::swap(nets.printed, nets.left_out);
+  return nets;
 }
 
 void add_small_bodies_notice(JobState& state, double scale) {

@@ -42,6 +42,14 @@ const EarlierPaper* earlier_paper(const JobState& state) {
   return state.start && state.start->paper ? &*state.start->paper : nullptr;
 }
 
+std::vector<int> model_panels(const JobState& state, const Region& region) {
+  std::vector<int> panels;
+  for (const int panel : region.panels) {
+    panels.push_back(state.components[region.component].panels[panel]);
+  }
+  return panels;
+}
+
 void make_parts_of_pieces(JobState& state) {
   int part_before = -1;
   for (FoundNet& net : state.nets) {

@@ -110,6 +110,9 @@ struct JobState {
 /// Size and sheets of the earlier result, if nets shall stay where they are; or null.
 const EarlierPaper* earlier_paper(const JobState& state);
 
+/// The panels of a region as those of the model's graph.
+std::vector<int> model_panels(const JobState& state, const Region& region);
+
 /// Sorts the nets by part, and within a part by lowest panel.
 void sort_nets(JobState& state);
 

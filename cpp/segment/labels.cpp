@@ -28,6 +28,14 @@ std::vector<double> part_areas(const DualGraph& graph, std::span<const int> labe
   return areas;
 }
 
+std::vector<int> panels_of(std::span<const int> labels, int part) {
+  std::vector<int> panels;
+  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
+    if (labels[panel] == part) panels.push_back(panel);
+  }
+  return panels;
+}
+
 std::vector<int> part_pieces(const DualGraph& graph, std::span<const int> labels) {
   std::vector<int> piece(graph.panel_count(), -1);
   std::vector<int> stack;

@@ -16,6 +16,9 @@ Labels renumbered(std::span<const int> labels);
 /// One more than the greatest label.
 int part_count(std::span<const int> labels);
 
+/// Panels of one part, ascending.
+std::vector<int> panels_of(std::span<const int> labels, int part);
+
 /// Per part the area of its panels, in square model units.
 std::vector<double> part_areas(const DualGraph& graph, std::span<const int> labels);
 

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/panel_places.h"
+
 namespace foldwright {
 namespace {
 
@@ -33,32 +35,12 @@ struct HingePlace {
 /// A graph in space: what two congruent ones have in common.
 struct Shape {
   const DualGraph* graph;
+  std::vector<PanelPlace> panels;
   std::vector<HingePlace> hinges;
-  std::vector<Vec3> centroids, normals;  ///< per panel
-  double area = 0;
 };
 
-void add_panels(const Mesh& mesh, Shape& shape) {
-  const DualGraph& graph = *shape.graph;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    Vec3 centroid = Vec3::Zero();
-    Vec3 normal = Vec3::Zero();
-    for (const int face : graph.panel_faces(panel)) {
-      const auto& [i, j, k] = mesh.faces[face];
-      const Vec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
-      const Vec3 area = 0.5 * (b - a).cross(c - a);
-      centroid += area.norm() / 3 * (a + b + c);
-      normal += area;
-    }
-    shape.centroids.emplace_back(centroid / graph.areas[panel]);
-    shape.normals.push_back(normal.normalized());
-    shape.area += graph.areas[panel];
-  }
-}
-
 Shape make_shape(const Mesh& mesh, const DualGraph& graph) {
-  Shape shape{&graph, {}, {}, {}};
-  add_panels(mesh, shape);
+  Shape shape{&graph, panel_places(mesh, graph), {}};
   for (const Hinge& hinge : graph.hinges) {
     Vec3 middle = Vec3::Zero();
     double length = 0;
@@ -70,8 +52,9 @@ Shape make_shape(const Mesh& mesh, const DualGraph& graph) {
     }
     const auto& [v, w] = mesh.edges[hinge.edges[0]].vertices;
     const Vec3 along = (mesh.positions[w] - mesh.positions[v]).normalized();
+    const auto& [a, b] = hinge.panels;
     shape.hinges.push_back(
-        {middle / length, along, {shape.normals[hinge.panels[0]], shape.normals[hinge.panels[1]]}});
+        {middle / length, along, {shape.panels[a].normal, shape.panels[b].normal}});
   }
   return shape;
 }
@@ -133,13 +116,17 @@ class HingeFinder {
   std::vector<int> order_;
 };
 
-bool may_be_congruent(const Shape& first, const Shape& second) {
-  const double unit = first.graph->unit;
-  const double tolerance = kTolerance * unit * unit * (1 + first.graph->panel_count());
-  return first.graph->hinge_count() > 0 &&
-         first.graph->panel_count() == second.graph->panel_count() &&
-         first.graph->hinge_count() == second.graph->hinge_count() &&
-         std::abs(first.area - second.area) <= tolerance;
+/// What costs next to nothing to see: most graphs differ there.
+bool may_be_congruent(const DualGraph& first, const DualGraph& second) {
+  if (first.hinge_count() == 0 || first.panel_count() != second.panel_count() ||
+      first.hinge_count() != second.hinge_count()) {
+    return false;
+  }
+  const auto area = [](const DualGraph& graph) {
+    return std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
+  };
+  const double tolerance = kTolerance * first.unit * first.unit * first.panel_count();
+  return std::abs(area(first) - area(second)) <= tolerance;
 }
 
 bool look_alike(const Hinge& a, const Hinge& b, double unit) {
@@ -151,7 +138,7 @@ bool look_alike(const Hinge& a, const Hinge& b, double unit) {
 int panel_at(const Shape& second, std::array<int, 2> panels, const Vec3& centroid, double area) {
   const double unit = second.graph->unit;
   for (const int panel : panels) {
-    if ((second.centroids[panel] - centroid).norm() <= kTolerance * unit &&
+    if ((second.panels[panel].centroid - centroid).norm() <= kTolerance * unit &&
         std::abs(second.graph->areas[panel] - area) <= kTolerance * unit * unit) {
       return panel;
     }
@@ -179,8 +166,8 @@ std::optional<Congruence> try_placement(const Shape& first, const Shape& second,
     found.hinges.push_back(there);
     found.error = std::max(found.error, distance / a.unit);
     for (const int panel : a.hinges[h].panels) {
-      const int lies_on =
-          panel_at(second, b.hinges[there].panels, place(first.centroids[panel]), a.areas[panel]);
+      const int lies_on = panel_at(second, b.hinges[there].panels,
+                                   place(first.panels[panel].centroid), a.areas[panel]);
       if (lies_on == -1) return std::nullopt;
       int& known = found.panels[panel];
       if (known == -1 && !std::exchange(is_met[lies_on], 1)) known = lies_on;
@@ -216,9 +203,9 @@ int rarest_hinge(const Shape& shape) {
 
 std::optional<Congruence> find_congruence(const Mesh& mesh, const DualGraph& first,
                                           const DualGraph& second) {
+  if (!may_be_congruent(first, second)) return std::nullopt;
   const Shape from = make_shape(mesh, first);
   const Shape to = make_shape(mesh, second);
-  if (!may_be_congruent(from, to)) return std::nullopt;
   const int start = rarest_hinge(from);
   if (start == -1) return std::nullopt;
   const HingeFinder finder(to);
@@ -235,13 +222,6 @@ std::optional<Congruence> find_congruence(const Mesh& mesh, const DualGraph& fir
     }
   }
   return std::nullopt;
-}
-
-FoldTree carry_tree(const Congruence& congruence, const FoldTree& folds) {
-  FoldTree carried;
-  for (const int fold : folds) carried.push_back(congruence.hinges[fold]);
-  std::ranges::sort(carried);
-  return carried;
 }
 
 }  // namespace foldwright

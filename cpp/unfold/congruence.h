@@ -1,8 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "unfold/spanning_tree.h"
+#include "mesh/dual_graph.h"
 
 namespace foldwright {
 
@@ -24,8 +25,5 @@ struct Congruence {
 /// again. Time: some candidates, mostly one, each near-linear.
 std::optional<Congruence> find_congruence(const Mesh& mesh, const DualGraph& first,
                                           const DualGraph& second);
-
-/// The fold tree of the second graph where one of the first lies.
-FoldTree carry_tree(const Congruence& congruence, const FoldTree& folds);
 
 }  // namespace foldwright

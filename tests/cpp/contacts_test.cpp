@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "craft_shapes.h"
 #include "job_runs.h"
@@ -75,6 +76,23 @@ TEST(Contacts, AreThoseOfLargerBodies) {
     EXPECT_EQ(contact.host, 0);
     EXPECT_EQ(contact.guest, 1);
   }
+}
+
+TEST(Contacts, AreDrawnOnceOnADiagonalAndNotOnTheRimOfTheHost) {
+  // A square of two triangles, and on it a triangle with a side on the diagonal and one on the rim.
+  const Mesh mesh = make_mesh(
+      {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 0}, {5, 5, 0}, {8, 2, 0}, {8, 5, 0}},
+      {{0, 1, 2}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6}});
+  const DualGraph graph = build_dual_graph(mesh);
+  ASSERT_EQ(graph.panel_count(), 2);
+  double on_diagonal = 0;
+  for (const Contact& contact : find_contacts(mesh, graph)) {
+    EXPECT_FALSE(contact.from.x() > 7.9 && contact.to.x() > 7.9);
+    const bool lies_there = std::abs(contact.from.x() - contact.from.y()) < 1e-3 &&
+                            std::abs(contact.to.x() - contact.to.y()) < 1e-3;
+    if (lies_there) on_diagonal += (contact.to - contact.from).norm();
+  }
+  EXPECT_NEAR(on_diagonal, std::sqrt(18), 1e-4);
 }
 
 TEST(Contacts, AreCutWhereTheHostEnds) {

@@ -21,12 +21,4 @@ std::string fault_of_parts(const DualGraph& graph, const Labels& labels) {
   return std::to_string(pieces) + " pieces of " + std::to_string(part_count(labels)) + " parts";
 }
 
-std::vector<int> panels_of(const Labels& labels, int part) {
-  std::vector<int> panels;
-  for (int panel = 0; panel < static_cast<int>(labels.size()); ++panel) {
-    if (labels[panel] == part) panels.push_back(panel);
-  }
-  return panels;
-}
-
 }  // namespace foldwright::testing

@@ -23,7 +23,4 @@ FoldabilityMatrix learn(const Unfoldable& surface, int runs);
 /// Empty when nothing is.
 std::string fault_of_parts(const DualGraph& graph, const Labels& labels);
 
-/// Panels of one part, ascending.
-std::vector<int> panels_of(const Labels& labels, int part);
-
 }  // namespace foldwright::testing

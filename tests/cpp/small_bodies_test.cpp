@@ -44,6 +44,22 @@ TEST(SmallBodies, CountByTheirFinishedSize) {
   EXPECT_FALSE(outcome.notices().contains("small-bodies"));
 }
 
+TEST(SmallBodies, ArePrintedLaterWithoutANewSearch) {
+  const Outcome before = run_at(1, 4);
+  ASSERT_TRUE(before.result);
+  ASSERT_EQ(before.result->nets.size(), 13u);
+  JobStart start;
+  start.labels = before.result->labels;
+  start.nets = before.result->nets;
+  JobOptions options;
+  options.size = {Sizing::kScale, 1, Unit::kMillimetre};
+  const Outcome after =
+      run_job(Job({{"studs.obj", to_bytes(cube_with_studs())}}, options, std::move(start)));
+  expect_sound(after);
+  EXPECT_EQ(after.result->pieces.size(), 13u);
+  EXPECT_EQ(after.result->moves, 0);
+}
+
 TEST(SmallBodies, NeverIncludeTheLargest) {
   const Outcome outcome = run_at(1, 1000);
   ASSERT_TRUE(outcome.result);

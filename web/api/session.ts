@@ -55,9 +55,9 @@ const crashes: readonly string[] = [engineDied, 'internal', 'out-of-memory'];
 
 const nothing = 'Nothing was unfolded yet: call run first';
 
-/** Identifies a net by its faces and folds. */
-function netKeys({ nets }: TimedResult): string[] {
-  return nets.map(({ faces, folds }) => `${faces.join()}|${folds.join()}`);
+/** Identifies the net of each piece by its faces and folds. */
+function netKeys({ nets, pieces }: TimedResult): string[] {
+  return nets.slice(0, pieces.length).map(({ faces, folds }) => `${faces.join()}|${folds.join()}`);
 }
 
 /**

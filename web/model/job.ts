@@ -235,6 +235,7 @@ export interface JobResult {
   names: PartName[];
   /** In the order of gluing. */
   pieces: Piece[];
+  /** Of the pieces, and after them of bodies that are too small to be printed. */
   nets: SavedNet[];
   sheets: Sheet[];
   /** By id. */
