@@ -1,6 +1,9 @@
 import { defineConfig } from 'vitest/config';
 
-/** Two groups: what runs under node, and what drives a browser over the built studio. */
+/**
+ * Four groups: what runs under node, what drives Chromium over the built studio, what drives three engines, and what takes
+ * up the packed package.
+ */
 export default defineConfig({
   test: {
     projects: [
@@ -12,7 +15,7 @@ export default defineConfig({
           maxWorkers: '100%',
           maxConcurrency: 2,
           // A whole job in WASM takes seconds on a slow machine.
-          testTimeout: 60_000,
+          testTimeout: 250_000,
         },
       },
       {
@@ -25,6 +28,29 @@ export default defineConfig({
           sequence: { groupOrder: 1 },
           testTimeout: 120_000,
           hookTimeout: 60_000,
+          // A second, as it is by default, is not enough for a worker's answer on a busy machine.
+          expect: { poll: { timeout: 20_000 } },
+        },
+      },
+      {
+        test: {
+          name: 'engines',
+          include: ['tests/browsers/**/*.test.ts'],
+          fileParallelism: false,
+          sequence: { groupOrder: 2 },
+          testTimeout: 180_000,
+          hookTimeout: 60_000,
+        },
+      },
+      {
+        test: {
+          name: 'package',
+          include: ['tests/package/**/*.test.ts'],
+          fileParallelism: false,
+          sequence: { groupOrder: 3 },
+          // Bundlers and whole jobs take their time on a slow machine.
+          testTimeout: 600_000,
+          hookTimeout: 120_000,
         },
       },
     ],

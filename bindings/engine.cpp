@@ -82,6 +82,8 @@ class JobHandle {
 
   EventsValue advance() { return to_values(job_ ? job_->advance() : failed()); }
 
+  EventsValue draft() { return job_ ? to_values(job_->draft()) : EventsValue(val::array()); }
+
   EventsValue cancel() { return to_values(job_ ? job_->cancel() : failed()); }
 
   /// The next waiting task as {id, surface, bytes}, or undefined. The surface is a key: see
@@ -174,6 +176,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::class_<JobHandle>("Job")
       .function("step", &JobHandle::step)
       .function("advance", &JobHandle::advance)
+      .function("draft", &JobHandle::draft)
       .function("cancel", &JobHandle::cancel)
       .function("takeTask", &JobHandle::take_task)
       .function("surface", &JobHandle::surface, allow_raw_pointers())

@@ -28,6 +28,8 @@ constexpr Name<FlapSide> kFlapSides[] = {{"none", FlapSide::kNone},
                                          {"one", FlapSide::kOne},
                                          {"alternate", FlapSide::kAlternate},
                                          {"both", FlapSide::kBoth}};
+constexpr Name<FlapStyle> kFlapStyles[] = {
+    {"edge", FlapStyle::kEdge}, {"run", FlapStyle::kRun}, {"zigzag", FlapStyle::kZigzag}};
 constexpr Name<EdgeFlaps> kEdgeFlaps[] = {{"none", EdgeFlaps::kNone},
                                           {"left", EdgeFlaps::kLeft},
                                           {"right", EdgeFlaps::kRight},
@@ -94,6 +96,8 @@ JobOptions options_from(const val& object) {
   options.seed = object["seed"].as<std::uint32_t>();
   options.faces = object["faces"].as<int>();
   options.up = from_name<Up>(kUps, word(object["up"]));
+  options.fill_holes = object["fillHoles"].as<double>();
+  options.drop_inner = object["dropInner"].as<bool>();
   options.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.size.value = object["size"].as<double>();
   options.size.unit = from_name<Unit>(kUnits, word(object["unit"]));
@@ -109,7 +113,8 @@ JobOptions options_from(const val& object) {
   FlapShape& flap = options.flaps.shape;
   flap.height = object["flapHeight"].as<double>();
   flap.least = std::min(flap.least, flap.height);
-  flap.angle = radians(object["flapAngle"]);
+  flap.angles.fill(radians(object["flapAngle"]));
+  options.flaps.style = from_name<FlapStyle>(kFlapStyles, word(object["flapStyle"]));
   options.sheet.width = object["paperWidth"].as<double>();
   options.sheet.height = object["paperHeight"].as<double>();
   options.sheet.orientation = from_name<Orientation>(kOrientations, word(object["orientation"]));

@@ -92,6 +92,11 @@ struct EventValue {
     object.set("type", std::string("notice"));
     return object;
   }
+  val operator()(const DraftEvent& event) const {
+    val object = typed("draft");
+    object.set("result", result_value(*event.result));
+    return object;
+  }
   val operator()(const DoneEvent& event) const {
     val object = typed("done");
     object.set("result", result_value(*event.result));

@@ -12,7 +12,9 @@ add_executable(foldwright_wasm ${binding_sources})
 set_target_properties(foldwright_wasm PROPERTIES
   OUTPUT_NAME foldwright SUFFIX .mjs RUNTIME_OUTPUT_DIRECTORY "${generated}")
 target_link_libraries(foldwright_wasm PRIVATE foldwright project_warnings)
+target_compile_options(foldwright_wasm PRIVATE -Oz)  # values in and out, once per event
 target_link_options(foldwright_wasm PRIVATE
+  -Os                               # what is linked is inlined no further: see SmallSources.cmake
   -lembind
   --emit-tsd foldwright.d.mts       # written beside the module; needs TypeScript 5 on the PATH
   -sMODULARIZE -sEXPORT_ES6

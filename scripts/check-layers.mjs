@@ -6,7 +6,7 @@ import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
 const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', 'read', 'repair', ...unfold];
-const web = ['view', 'export', 'core', 'read', 'browser', 'words', 'model'];
+const web = ['view', 'project', 'export', 'core', 'read', 'browser', 'words', 'model'];
 
 /** What each folder may know besides itself. */
 const mayKnow = {
@@ -29,8 +29,9 @@ const mayKnow = {
   'web/view': ['browser', 'model'],
   'web/export': ['words', 'model'],
   'web/pwa': ['model'],
-  'web/api': ['export', 'core', 'read', 'browser', 'words', 'model'],
-  'web/cli': ['api', 'export', 'core', 'read', 'words', 'model'],
+  'web/project': ['export', 'read', 'words', 'model'],
+  'web/api': ['project', 'export', 'core', 'read', 'browser', 'words', 'model'],
+  'web/cli': ['api', 'project', 'export', 'core', 'read', 'words', 'model'],
   'web/app': ['api', 'pwa', ...web],
   'web/element': ['api', 'app', ...web],
 };

@@ -19,7 +19,9 @@ main(() => {
   module('node_modules/eslint/bin/eslint.js', '.', ...(fix ? ['--fix'] : []));
   module('scripts/check-layers.mjs');
   module('scripts/check-prose.mjs');
+  module('scripts/check-words.mjs');
   module('scripts/check-addresses.mjs');
+  module('scripts/check-elements.mjs', ...(fix ? ['--fix'] : []));
   // Other globals exist in a service worker than in a page.
   for (const project of ['.', 'web/pwa']) {
     module('node_modules/typescript/bin/tsc', '--noEmit', '--project', project);

@@ -2,6 +2,8 @@
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
+import { pipeline } from 'node:stream';
+import { createGzip } from 'node:zlib';
 
 const types = {
   '.css': 'text/css; charset=utf-8',
@@ -16,6 +18,9 @@ const types = {
   '.webmanifest': 'application/manifest+json',
   '.woff2': 'font/woff2',
 };
+
+/** What is no shorter when it is compressed once more. */
+const compressed = new Set(['.png', '.woff2', '.ico']);
 
 function fileFor(folder, address) {
   try {
@@ -34,21 +39,34 @@ function listen(server, port) {
   });
 }
 
+function send(file, request, response, { headers, compress }) {
+  const type = types[extname(file)] ?? 'application/octet-stream';
+  const own = { 'content-type': type, 'cache-control': 'no-cache', ...headers };
+  const mayCompress = compress && !compressed.has(extname(file));
+  if (mayCompress) own.vary = 'accept-encoding';
+  const doesCompress = mayCompress && /\bgzip\b/.test(request.headers['accept-encoding'] ?? '');
+  if (doesCompress) own['content-encoding'] = 'gzip';
+  response.writeHead(200, own);
+  if (request.method === 'HEAD') return void response.end();
+  const streams = doesCompress ? [createGzip(), response] : [response];
+  // A browser that goes away in the middle is no fault.
+  pipeline(createReadStream(file), ...streams, () => undefined);
+}
+
 /**
  * Serves a folder on this machine alone.
  * @param folder absolute path
- * @param port the first to try; a taken one is passed over. 0: any free one
- * @param {Record<string, string>} headers that every answer has besides its own
+ * @param {object} options
+ * @param {number} [options.port] the first to try; a taken one is passed over. 0: any free one
+ * @param {Record<string, string>} [options.headers] that every answer has besides its own
+ * @param {boolean} [options.compress] whether answers are compressed for those who understand that
  * @returns {Promise<{address: string, close: () => void}>}
  */
-export async function serve(folder, port = 0, headers = {}) {
+export async function serve(folder, { port = 0, headers = {}, compress = false } = {}) {
   const server = createServer((request, response) => {
     const file = fileFor(folder, request.url ?? '/');
     if (!file) return void response.writeHead(404).end('not found');
-    const type = types[extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-cache', ...headers });
-    if (request.method === 'HEAD') return void response.end();
-    createReadStream(file).pipe(response);
+    send(file, request, response, { headers, compress });
   });
   for (let next = port; ; ++next) {
     try {

@@ -7,5 +7,8 @@ import { main } from './setup/shell.mjs';
 const firstPort = 5173; // where Vite's users look
 
 await main(build);
-const { address } = await serve(join(root, 'dist/studio'), firstPort);
+const { address } = await serve(join(root, 'dist/studio'), {
+  port: firstPort,
+  compress: true,
+});
 console.log(`Foldwright is at ${address} (Ctrl+C ends it)`);

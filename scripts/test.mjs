@@ -33,7 +33,9 @@ const groups = {
   },
   'engine, native': () => run('ctest', ['--preset', 'native'], options),
   'engine under a fuzzer, for a short run': () => run('ctest', ['--preset', 'fuzz'], options),
-  'web and browser': () => node('node_modules/vitest/vitest.mjs', 'run'),
+  // The other projects are `npm run test:browsers` and `npm run test:package`.
+  'web and browser': () =>
+    node('node_modules/vitest/vitest.mjs', 'run', '--project', 'web', '--project', 'browser'),
 };
 
 await main(async () => {

@@ -26,7 +26,8 @@ struct Mesh {
 
   std::vector<Vec3> positions;
   std::vector<std::array<int, 3>> faces;
-  std::vector<int> source_faces;  ///< per face: index of the face it came from in the file as read
+  /// Per face: index of the face it came from in the file as read, -1 if it fills a hole.
+  std::vector<int> source_faces;
 
   std::vector<Edge> edges;                     ///< in order of first appearance in `faces`
   std::vector<std::array<int, 3>> face_edges;  ///< [f][i]: edge from corner i to corner i + 1

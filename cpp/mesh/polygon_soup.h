@@ -43,6 +43,7 @@ struct PolygonSoup {
   /// Largest rounding error of a coordinate, in model units, as estimated by CoordinatePrecision
   /// from how the file writes its numbers; 0 for a soup that was not read from a file.
   double precision = 0;
+  int unusable_faces = 0;    ///< faces of which the reader left no corner, told by its repairs
   Axis usual_up = Axis::kY;  ///< the axis that points up in most files of its format
   SoupLooks looks;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/convex2.h"
+#include "paper/flap_gaps.h"
 
 namespace foldwright {
 namespace {
@@ -23,8 +24,11 @@ bool is_free(const SeamSide& side, const Trapezoid& flap,
   });
 }
 
-/// Whether a flap stays within its cover.
-bool is_covered(const Trapezoid& flap, const FlapCover& cover) {
+/// Whether a flap on a base of some length stays within its cover.
+bool is_covered(const Trapezoid& flap, double length, const FlapCover& cover) {
+  const auto& [first, second] = cover.lean;
+  if (flap.top[0] < first * flap.height - kTouching) return false;
+  if (flap.top[1] > length - second * flap.height + kTouching) return false;
   return std::ranges::none_of(cover.borders, [&](const std::array<Vec2, 2>& border) {
     return convex_overlap(flap.corners(), border, kTouching);
   });
@@ -37,7 +41,7 @@ Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
   for (const int end : {0, 1}) {
     Trapezoid wider = flap;
     wider.foot[end] = end == 0 ? 0 : side.length();
-    if (is_free(side, wider, obstacles) && is_covered(wider, cover)) flap = wider;
+    if (is_free(side, wider, obstacles) && is_covered(wider, side.length(), cover)) flap = wider;
   }
   return flap;
 }
@@ -76,11 +80,32 @@ FlapMiss FlapRoom::why_none(const SeamSide& side, const FlapCover& cover,
   for (const Polygon* obstacle : near(side, shape.height)) {
     const bool touches = std::ranges::any_of(
         *obstacle, [&](const Vec2& p) { return p == side.from || p == side.to; });
-    const auto index = obstacle - obstacles_[side.net].polygons.data();
-    const bool is_face = index < static_cast<std::ptrdiff_t>(nets_[side.net].corners.size());
-    if (touches && is_face) beside.push_back(obstacle);
+    if (touches && is_face(side.net, obstacle)) beside.push_back(obstacle);
   }
   return best(side, cover, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
+}
+
+Trapezoid FlapRoom::set_apart(const SeamSide& side, const FlapCover& cover,
+                              const Trapezoid& flap) const {
+  const std::vector<const Polygon*> obstacles = near(side, flap.height);
+  FlapNeighbours neighbours;
+  for (const Polygon* obstacle : obstacles) {
+    auto& kind = is_face(side.net, obstacle) ? neighbours.faces : neighbours.flaps;
+    kind.emplace_back(*obstacle);
+  }
+  Trapezoid own = flap;
+  for (const int end : {0, 1}) {
+    const auto laid = laid_on(side, own, end, neighbours);
+    const bool fits =
+        laid && is_free(side, *laid, obstacles) && is_covered(*laid, side.length(), cover);
+    own = fits ? *laid : drawn_in(side, own, end, neighbours);
+  }
+  return own;
+}
+
+bool FlapRoom::is_face(int net, const Polygon* obstacle) const {
+  const auto index = obstacle - obstacles_[net].polygons.data();
+  return index < static_cast<std::ptrdiff_t>(nets_[net].corners.size());
 }
 
 int FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {

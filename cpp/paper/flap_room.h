@@ -39,6 +39,10 @@ class FlapRoom {
   /// \pre `best` finds none
   FlapMiss why_none(const SeamSide& side, const FlapCover& cover, const FlapShape& shape) const;
 
+  /// A flap that was found, but takes up no room yet, with each of its sides upon what is beside it
+  /// or away from it (see `kApart`).
+  Trapezoid set_apart(const SeamSide& side, const FlapCover& cover, const Trapezoid& flap) const;
+
   /// Takes up the room of a flap; a number by which it can be given back.
   int take(const SeamSide& side, const Trapezoid& flap);
   void give_back(const SeamSide& side, int taken);
@@ -51,6 +55,7 @@ class FlapRoom {
   };
 
   int add(int net, Polygon polygon);
+  bool is_face(int net, const Polygon* obstacle) const;
   std::vector<const Polygon*> near(const SeamSide& side, double height) const;
   static std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
                                        const FlapShape& shape,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "paper/flap_runs.h"
 #include "paper/flap_sides.h"
 #include "paper/flap_wishes.h"
 #include "paper/seams.h"
@@ -41,6 +42,7 @@ class FlapPlacer {
         wishes_(mesh, options),
         room_(nets, keep_off),
         corners_(seams_.size()),
+        runs_(find_runs(seams_)),
         chosen_(seams_.size(), -1),
         is_served_(seams_.size(), 0),
         placed_(seams_.size()) {
@@ -55,6 +57,7 @@ class FlapPlacer {
       is_served_[seam] = 1;
     }
     for (const int seam : order) serve_again(seam);
+    for (const int seam : order) set_apart(seam);
     finish(order);
     if (options_.borders || !mesh_.joints.empty()) serve_borders();
     for (auto& flaps : plan_.flaps) {
@@ -94,6 +97,17 @@ class FlapPlacer {
     }
   }
 
+  /// How a flap on a side may look.
+  FlapShape shape_of(int seam, int s) const {
+    FlapShape shape = wishes_.shape_at(seams_[seam].mesh_edges);
+    const double length = seams_[seam].sides[s].length();
+    if (options_.style == FlapStyle::kEdge || length > kLongestInRun * shape.height) return shape;
+    for (const int end : {0, 1}) {
+      if (runs_[seam][s][end]) shape.angles[end] = std::max(shape.angles[end], kNotchAngle);
+    }
+    return shape;
+  }
+
   FlapWish wish_of(const Seam& seam) const { return wishes_.of(seam, nets_); }
 
   /// The highest flap; at ends where `shares` is set it leaves half of the corner to another one.
@@ -102,8 +116,15 @@ class FlapPlacer {
     for (const int end : {0, 1}) {
       if (shares[end]) cover.lean[end] = std::max(cover.lean[end], corners_[seam][s][end].lean);
     }
-    return room_.best(seams_[seam].sides[s], cover, wishes_.shape_at(seams_[seam].mesh_edges));
+    const SeamSide& side = seams_[seam].sides[s];
+    const FlapShape shape = shape_of(seam, s);
+    const auto flap = room_.best(side, cover, shape);
+    const bool is_tooth = options_.style == FlapStyle::kZigzag && is_in_run(seam, s) &&
+                          side.length() <= kWidestTooth * shape.height;
+    return flap && is_tooth ? tooth_of(*flap) : flap;
   }
+
+  bool is_in_run(int seam, int s) const { return runs_[seam][s][0] || runs_[seam][s][1]; }
 
   /// Decides for every seam on which side its flap goes, by the room that faces leave, with corners
   /// shared among seams that are glued in one go.
@@ -224,6 +245,17 @@ class FlapPlacer {
     }
   }
 
+  /// Lays the sides of a seam's flaps on what is cut close beside them, or takes them away from it.
+  void set_apart(int seam) {
+    for (const int s : {0, 1}) {
+      auto& placed = placed_[seam][s];
+      if (!placed) continue;
+      const SeamSide& side = seams_[seam].sides[s];
+      room_.give_back(side, placed->taken);
+      put(seam, s, room_.set_apart(side, seams_[seam].cover_of(s), placed->shape));
+    }
+  }
+
   /// Writes down what came of all seams.
   void finish(std::span<const int> order) {
     plan_.flaps.resize(nets_.size());
@@ -235,7 +267,7 @@ class FlapPlacer {
         height = std::max(height, placed_[i][s]->shape.height);
         write_flap(seam.sides[s], placed_[i][s]->shape, angle_at(seam.mesh_edge()));
       }
-      count(seam, wish_of(seam), height);
+      count(i, wish_of(seam), height);
     }
   }
 
@@ -294,7 +326,8 @@ class FlapPlacer {
     return std::atan2(onto.dot(along.cross(inwards)), -onto.dot(inwards));
   }
 
-  void count(const Seam& seam, const FlapWish& wish, double height) {
+  void count(int index, const FlapWish& wish, double height) {
+    const Seam& seam = seams_[index];
     const double length = seam.sides[0].length();
     if (length <= kWantedLength) return;
     FlapCounts& counts = plan_.counts;
@@ -302,18 +335,18 @@ class FlapPlacer {
     counts.wanted_length += length;
     if (height == 0) {
       counts.missing_length += length;
-      plan_.missed.push_back({seam.mesh_edge(), why_missed(seam, wish)});
+      plan_.missed.push_back({seam.mesh_edge(), why_missed(index, wish)});
     } else {
       ++(height >= wishes_.shape_at(seam.mesh_edges).height ? counts.full : counts.shrunk);
     }
   }
 
-  FlapMiss why_missed(const Seam& seam, const FlapWish& wish) const {
+  FlapMiss why_missed(int index, const FlapWish& wish) const {
+    const Seam& seam = seams_[index];
     FlapMiss why = FlapMiss::kShort;
     for (const int s : {0, 1}) {
       if (!wish.allowed[s]) continue;
-      why = std::max(
-          why, room_.why_none(seam.sides[s], seam.cover_of(s), wishes_.shape_at(seam.mesh_edges)));
+      why = std::max(why, room_.why_none(seam.sides[s], seam.cover_of(s), shape_of(index, s)));
     }
     return why;
   }
@@ -326,6 +359,7 @@ class FlapPlacer {
   FlapWishes wishes_;
   FlapRoom room_;
   std::vector<std::array<std::array<Corner, 2>, 2>> corners_;  ///< per seam, side and end
+  std::vector<RunEnds> runs_;                                  ///< per seam
   std::vector<SideHeights> heights_;                           ///< per seam, where flaps may be
   std::vector<int> chosen_;                                    ///< per seam: the side of its flap
   std::vector<char> is_served_;                                ///< per seam

@@ -16,6 +16,14 @@ enum class FlapSide {
   kBoth
 };
 
+/// What flaps look like that follow each other along a run: seams that are glued in one go where
+/// the outline bends by at most 45 degrees between them, each at most four flaps' heights long.
+enum class FlapStyle {
+  kEdge,   ///< like any others
+  kRun,    ///< a strip with a narrow notch at each corner
+  kZigzag  ///< pointed teeth, one for each short seam, as for curves
+};
+
 /// Which sides of one edge get flaps, seen along it; `kUsual` goes by `FlapSide`.
 enum class EdgeFlaps { kNone, kLeft, kRight, kBoth, kUsual };
 
@@ -32,6 +40,7 @@ inline constexpr double kWantedLength = 4;
 struct FlapOptions {
   FlapSide side = FlapSide::kOne;
   FlapShape shape = {};
+  FlapStyle style = FlapStyle::kRun;
   bool borders = false;  ///< whether open borders of the model get flaps as well
   /// Edges that do not go by `side` and `shape`; of several choices for one edge the last counts.
   /// Edges that are not cut are folds whatever is chosen.
@@ -74,13 +83,13 @@ struct FlapPlan {
 /// A flap lies within the neighbouring panel, unfolded across its base, and overlaps no face and no
 /// other flap of its net. Seams that follow each other between the same two nets have their flaps
 /// on one of them as far as that loses no full flap (`flap_sides.h`). Where two flaps meet at a
-/// concave corner they share it by half. Seams with little room come first, since room only
-/// shrinks; in the end each flap takes what the others left. `nets`: in millimetres, free of
-/// overlaps; angles come from `mesh`. Edges with a face in none of the nets get no flap.
-/// Where the mesh has joints, what stands there gets a flap to be glued by, which folds until it
-/// lies on the host's first face. `keep_off`: per net further convex polygons that flaps must not
-/// overlap; or empty. Time: n log n in the cut edges for faces of about equal size. \throw
-/// InputError if a choice names an edge that the mesh has not
+/// concave corner they share it by half; within a run they go by the style. Seams with little room
+/// come first, since room only shrinks; in the end each flap takes what the others left. `nets`: in
+/// millimetres, free of overlaps; angles come from `mesh`. Edges with a face in none of the nets
+/// get no flap. Where the mesh has joints, what stands there gets a flap to be glued by, which
+/// folds until it lies on the host's first face. `keep_off`: per net further convex polygons that
+/// flaps must not overlap; or empty. Time: n log n in the cut edges for faces of about equal size.
+/// \throw InputError if a choice names an edge that the mesh has not
 FlapPlan place_flaps(const Mesh& mesh, std::span<const Net> nets, const FlapOptions& options,
                      std::span<const std::vector<std::vector<Vec2>>> keep_off = {});
 

@@ -25,15 +25,16 @@ struct Span {
   double from, to;
 };
 
-/// A height at which a flap may end, and how far its sides lean in up to there.
+/// A height at which a flap may end, and how far its two sides lean in up to there.
 struct Level {
-  double height, inset;
+  double height;
+  std::array<double, 2> insets;
 };
 
 /// Where the top of a flap of this height may lie for its cover and the slope of its sides.
 Span top_limits(double length, const std::array<double, 2>& lean, const Level& level) {
-  return {std::max(lean[0] * level.height, level.inset),
-          length - std::max(lean[1] * level.height, level.inset)};
+  return {std::max(lean[0] * level.height, level.insets[0]),
+          length - std::max(lean[1] * level.height, level.insets[1])};
 }
 
 /// A profile seen from one end.
@@ -50,11 +51,12 @@ struct FromEnd {
 /// `end`, where the top has its run.
 double earliest_top(const FromEnd& room, std::size_t end, const Level& level) {
   const double bin = room.profile->bin();
-  double top = level.inset;
+  const double inset = level.insets[room.right];
+  double top = inset;
   for (std::size_t i = 0; i < end; ++i) {
     if (room[i] >= level.height) continue;
     // The side is highest at the bin's far end.
-    top = std::max(top, (i + 1) * bin + level.inset * (1 - room[i] / level.height));
+    top = std::max(top, (i + 1) * bin + inset * (1 - room[i] / level.height));
   }
   return top;
 }
@@ -92,7 +94,8 @@ std::optional<Trapezoid> flap_in(const RoomProfile& profile, std::size_t first, 
 std::optional<Trapezoid> flap_of_height(const RoomProfile& profile,
                                         const std::array<double, 2>& lean, const FlapShape& shape,
                                         double height) {
-  const Level level = {height, height / std::tan(shape.angle)};
+  const auto& [first, second] = shape.angles;
+  const Level level = {height, {height / std::tan(first), height / std::tan(second)}};
   const Span limits = top_limits(profile.length, lean, level);
   if (limits.to - limits.from < kLeastTop) return std::nullopt;
   std::optional<Trapezoid> best;
@@ -165,7 +168,8 @@ std::optional<Trapezoid> best_flap(const RoomProfile& profile, const std::array<
 }
 
 double shortest_base(const FlapShape& shape) {
-  return 2 * shape.least / std::tan(shape.angle) + kLeastTop;
+  const auto& [first, second] = shape.angles;
+  return shape.least * (1 / std::tan(first) + 1 / std::tan(second)) + kLeastTop;
 }
 
 }  // namespace foldwright

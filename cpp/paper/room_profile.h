@@ -11,9 +11,10 @@ namespace foldwright {
 
 /// How flaps may look; millimetres and radians.
 struct FlapShape {
-  double height = 5;                  ///< of a full flap
-  double least = 2;                   ///< narrower ones hold no glue; at most `height`
-  double angle = 1.0471975511965976;  ///< of the sides at the base, at most; 60 degrees
+  double height = 5;  ///< of a full flap
+  double least = 2;   ///< narrower ones hold no glue; at most `height`
+  /// Of the sides at the two ends of the base, at most; 60 degrees.
+  std::array<double, 2> angles = {1.0471975511965976, 1.0471975511965976};
 };
 
 /// A flap over its base from (0, 0) to (length, 0), with feet at x = `foot[0]` and `foot[1]` and a

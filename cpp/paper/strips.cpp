@@ -23,7 +23,7 @@ std::optional<Trapezoid> half_behind(const SeamSide& side, double angle) {
   RoomProfile room = open_room(side.length(), kHalfWidth);
   lower_below(room, side.panel);
   return best_flap(room, side.panel.lean,
-                   {.height = kHalfWidth, .least = kLeastHalf, .angle = angle});
+                   {.height = kHalfWidth, .least = kLeastHalf, .angles = {angle, angle}});
 }
 
 /// Whether a box lies within a trapezoid over y = 0, clear of its sides.

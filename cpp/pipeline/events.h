@@ -48,6 +48,11 @@ struct GenerationEvent {
 struct NetEvent {
   int part, piece;
 };
+/// What a job that goes on would hand over now: every part has a net, on sheets that could be
+/// printed. Nets may still get better to craft, and come to lie elsewhere.
+struct DraftEvent {
+  std::shared_ptr<const JobResult> result;
+};
 struct DoneEvent {
   std::shared_ptr<const JobResult> result;
 };
@@ -63,7 +68,7 @@ struct ErrorEvent {
 
 /// What a job tells while it runs.
 using Event = std::variant<StageEvent, ModelEvent, LearnedEvent, SegmentedEvent, GenerationEvent,
-                           NetEvent, Notice, DoneEvent, CancelledEvent, ErrorEvent>;
+                           NetEvent, Notice, DraftEvent, DoneEvent, CancelledEvent, ErrorEvent>;
 using Events = std::vector<Event>;
 
 }  // namespace foldwright

@@ -19,6 +19,19 @@ struct StageFacts {
 constexpr StageFacts kStages[] = {{"read", 0.02},  {"learn", 0.2},    {"cluster", 0.08},
                                   {"search", 0.2}, {"compact", 0.45}, {"paper", 0.05}};
 
+/// What whatever nets there are come to on sheets.
+std::shared_ptr<const JobResult> laid_out_in_a_hurry(JobState state) {
+  state.in_a_hurry = true;
+  TaskQueue unused;
+  Events unheard;
+  const std::unique_ptr<Stage> paper = make_paper_stage();
+  paper->begin(state, unused, unheard);
+  while (!paper->go_on(state, unheard)) {
+  }
+  paper->end(state, unheard);
+  return std::make_shared<const JobResult>(*std::move(state.result));
+}
+
 }  // namespace
 
 int TaskQueue::add(std::shared_ptr<const Surface> surface, std::vector<int> panels, Work work) {
@@ -107,6 +120,16 @@ Events Job::complete(int task, TaskResult result) {
   });
 }
 
+Events Job::draft() const {
+  const bool has_all = current_ > static_cast<std::size_t>(StageId::kSearch);
+  if (finished_ || !has_all || state_.nets.empty() || state_.result) return {};
+  try {
+    return {DraftEvent{laid_out_in_a_hurry(state_)}};
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
+
 Events Job::cancel() {
   return guarded([&](Events& events) {
     finished_ = true;
@@ -116,20 +139,11 @@ Events Job::cancel() {
       events.push_back(CancelledEvent{});
       return;
     }
-    // The last stage lays out whatever nets there are, unless it has done so already.
-    if (!state_.result) lay_out_in_a_hurry();
-    events.push_back(CancelledEvent{std::make_shared<const JobResult>(*std::move(state_.result))});
+    // The last stage may have laid them out already.
+    events.push_back(
+        CancelledEvent{state_.result ? std::make_shared<const JobResult>(*std::move(state_.result))
+                                     : laid_out_in_a_hurry(std::move(state_))});
   });
-}
-
-void Job::lay_out_in_a_hurry() {
-  state_.in_a_hurry = true;
-  Events unheard;
-  const std::unique_ptr<Stage> paper = make_paper_stage();
-  paper->begin(state_, queue_, unheard);
-  while (!paper->go_on(state_, unheard)) {
-  }
-  paper->end(state_, unheard);
 }
 
 void Job::do_own_step(Events& events) {

@@ -37,6 +37,11 @@ class Job {
   /// Hands in a task's result.
   Events complete(int task, TaskResult result);
 
+  /// Tells what there is, once every part has a net and before the job lays them out for good; no
+  /// events at other times, or where memory does not suffice. Changes nothing of what the job comes
+  /// to. Takes some milliseconds.
+  Events draft() const;
+
   /// Ends the job; the event keeps the nets found so far. Takes some milliseconds.
   Events cancel();
 
@@ -46,7 +51,6 @@ class Job {
   template <class Action>
   Events guarded(Action&& action);
   void do_own_step(Events& events);
-  void lay_out_in_a_hurry();
   void run_task(std::int64_t work, Events& events);
   void report_progress(Events& events);
 

@@ -53,7 +53,7 @@ void check_flaps(const FlapOptions& flaps) {
           {{"least", 1}, {"most", 50}});
   }
   // Steeper sides collide inside the model; flatter ones leave no flap on short edges.
-  const double angle = flaps.shape.angle * 180 / std::numbers::pi;
+  const double angle = flaps.shape.angles[0] * 180 / std::numbers::pi;
   check(angle > 10 - 1e-9 && angle < 60 + 1e-9, "flap-angle", {{"least", 10}, {"most", 60}});
 }
 
@@ -91,6 +91,9 @@ void check_options(const JobOptions& options) {
   check(options.proxy >= 0, "proxy", {{"least", 0}});
   // A closed surface has at least four faces.
   check(options.faces == 0 || options.faces >= 4, "faces", {{"least", 4}});
+  // No hole is wider than the diagonal of the model's box, at most 173 % of its longest side.
+  check(options.fill_holes >= 0 && options.fill_holes <= 200, "fill-holes",
+        {{"least", 0}, {"most", 200}});
   check(options.min_piece >= 0 && options.min_piece <= 1000, "min-piece",
         {{"least", 0}, {"most", 1000}});
   check_size(options.size);

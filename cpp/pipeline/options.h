@@ -70,6 +70,9 @@ struct JobOptions {
   std::uint32_t seed = 1;
   int faces = 0;       ///< simplify to this many triangles first; 0: keep all
   Up up = Up::kGuess;  ///< guessed from the file's format
+  /// Fill holes up to so many percent of the model's longest side across; 0: none.
+  double fill_holes = 0;
+  bool drop_inner = false;  ///< leave out bodies that lie inside others
   SizeOptions size = {};
   SheetOptions sheet = {};
   FlapOptions flaps = {};

@@ -161,7 +161,7 @@ void PaperPlanner::lay_strips() {
     std::vector<Strip> strips;
     for (std::size_t i = 0; i < seams.size(); ++i) {
       if (!open.contains(seams[i].mesh_edge())) continue;
-      const auto shape = make_strip(seams[i], ids[i].name, options.flaps.shape.angle);
+      const auto shape = make_strip(seams[i], ids[i].name, options.flaps.shape.angles[0]);
       if (!shape) continue;
       shapes.push_back(*shape);
       Strip& strip = strips.emplace_back();

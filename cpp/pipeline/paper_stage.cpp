@@ -21,6 +21,7 @@ std::vector<int> source_segmentation(const JobState& state) {
   const SourceModel& model = *state.model;
   std::vector<int> segmentation(model.file_face_count, -1);
   for (std::size_t face = 0; face < model.source_faces.size(); ++face) {
+    if (model.source_faces[face] == -1) continue;  // fills a hole
     int& part = segmentation[model.source_faces[face]];
     // Triangles of one polygon may lie in two parts when it is not flat.
     if (part != -1) continue;

@@ -82,8 +82,9 @@ void simplify_to(int wanted, SourceModel& model) {
 /// Whatever the model depends on. Bytes are told apart by their hash: copies would cost as much
 /// memory again.
 std::string key_of(const std::vector<ModelFile>& files, const JobOptions& options) {
-  std::string key =
-      std::to_string(static_cast<int>(options.up)) + ' ' + std::to_string(options.faces);
+  std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
+                    std::to_string(options.faces) + ' ' + std::to_string(options.fill_holes) + ' ' +
+                    std::to_string(options.drop_inner);
   for (const ModelFile& file : files) {
     const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
     key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +
@@ -97,7 +98,8 @@ std::string key_of(const std::vector<ModelFile>& files, const JobOptions& option
 SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOptions& options) {
   SourceModel model;
   const PolygonSoup soup = read_upright(files, options.up, model);
-  RepairedModel repaired = repair(soup);
+  RepairedModel repaired =
+      repair(soup, {.fill_holes = options.fill_holes / 100, .drop_inner = options.drop_inner});
   model.looks = looks_of(soup, repaired);
   model.mesh = std::move(repaired.mesh);
   model.origins = std::move(repaired.origins);

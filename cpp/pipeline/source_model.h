@@ -18,8 +18,9 @@ struct SourceModel {
   Mesh mesh;
   std::vector<FaceOrigins> origins;  ///< per face of the mesh, see `RepairedModel`
   std::vector<Repair> repairs;
-  int file_face_count = 0;        ///< faces of the file as read
-  std::vector<int> source_faces;  ///< per face of the repaired model: its face of the file
+  int file_face_count = 0;  ///< faces of the file as read
+  /// Per face of the repaired model: its face of the file, -1 if it fills a hole.
+  std::vector<int> source_faces;
   /// Per face of the repaired model the face of `mesh` that stands for it; empty when simplifying
   /// left it alone.
   std::vector<int> face_standins;
@@ -28,7 +29,8 @@ struct SourceModel {
   std::vector<Notice> notices;
 };
 
-/// Reads the model among the files, see `find_model`. Of the options, `up` and `faces` count.
+/// Reads the model among the files, see `find_model`. Of the options, `up`, `faces`,
+/// `fill_holes` and `drop_inner` count.
 /// \throw InputError for files that give no model
 SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOptions& options);
 

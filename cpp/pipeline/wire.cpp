@@ -88,7 +88,7 @@ void each_field(T& value, F& f) {
   } else if constexpr (is_any_of<T, CraftOptions>) {
     f(value.scale), f(value.shape), f(value.weights), f(value.room), f(value.borders);
   } else if constexpr (is_any_of<T, FlapShape>) {
-    f(value.height), f(value.least), f(value.angle);
+    f(value.height), f(value.least), f(value.angles[0]), f(value.angles[1]);
   } else if constexpr (is_any_of<T, CraftWeights>) {
     f(value.flaps), f(value.hull), f(value.necks), f(value.excess), f(value.glue);
   } else if constexpr (is_any_of<T, Extent>) {

@@ -43,7 +43,7 @@ WrittenDigits written_digits(std::string_view word) {
   bool seen_point = false;
   std::size_t i = 0;
   for (; i < word.size() && word[i] != 'e' && word[i] != 'E'; ++i) {
-    seen_point = seen_point || word[i] == '.';
+    seen_point = seen_point || word[i] == '.' || word[i] == ',';
     if (word[i] < '0' || word[i] > '9') continue;
     if (seen_point) ++digits.decimals;
     if (word[i] != '0' || digits.significant > 0) ++digits.significant;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr PicturePlace kNoPlace = {kNone, kNone};
+constexpr long long kUnnamed = std::numeric_limits<long long>::min();
 constexpr Rgb kWhite = {255, 255, 255};
 
 /// Sets a value of a list that is only as long as it has to be.
@@ -32,7 +33,7 @@ bool is_place(const PicturePlace& place) {
 }  // namespace
 
 void LooksBuilder::name_place(std::size_t corner, long long number) {
-  set_at(place_numbers_, corner, number, -1LL);
+  set_at(place_numbers_, corner, number, kUnnamed);
 }
 
 void LooksBuilder::place_corner(std::size_t corner, const PicturePlace& place) {
@@ -69,8 +70,9 @@ int LooksBuilder::material_named(std::string_view name) {
 PicturePlace LooksBuilder::place_of(std::size_t corner, int vertex) {
   const PicturePlace own = at(corner_places_, corner, kNoPlace);
   if (is_place(own)) return own;
-  const long long number = at(place_numbers_, corner, -1LL);
-  if (number == -1) return at(vertex_places_, static_cast<std::size_t>(vertex), kNoPlace);
+  const long long named = at(place_numbers_, corner, kUnnamed);
+  if (named == kUnnamed) return at(vertex_places_, static_cast<std::size_t>(vertex), kNoPlace);
+  const long long number = named + place_offset_;
   if (number >= 0 && number < place_count()) return listed_places_[number];
   ++lost_places_;
   return kNoPlace;

@@ -22,6 +22,8 @@ class LooksBuilder {
   /// `corner` counts all corners of the file; whether the number exists is seen by `finish`, since
   /// it may come later in the file.
   void name_place(std::size_t corner, long long number);
+  /// The numbers named so far are one too low: the file counts from 0 where its format does from 1.
+  void count_places_from_zero() { place_offset_ = 1; }
   void place_corner(std::size_t corner, const PicturePlace& place);
   void place_vertex(int vertex, const PicturePlace& place);
 
@@ -43,9 +45,10 @@ class LooksBuilder {
 
  private:
   std::vector<PicturePlace> listed_places_;
-  std::vector<long long> place_numbers_;  ///< per corner; -1 for none
+  std::vector<long long> place_numbers_;  ///< per corner
   std::vector<PicturePlace> corner_places_, vertex_places_;
   std::vector<std::optional<Vec3>> vertex_colours_, face_colours_;
+  long long place_offset_ = 0;
   double largest_ = 0;  ///< of all numbers of colours
   std::map<std::string, int, std::less<>> materials_;
   SoupLooks looks_;

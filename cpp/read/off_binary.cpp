@@ -63,9 +63,7 @@ void read_face(OffNumbers& numbers, SoupBuilder& builder) {
   take_face_looks(colour, builder);
 }
 
-}  // namespace
-
-PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& layout) {
+void read_numbers(std::span<const std::byte> bytes, const OffLayout& layout, SoupBuilder& builder) {
   const int counts = layout.has_dimension ? 4 : 3;
   if (bytes.size() < counts * sizeof(std::int32_t)) {
     throw InputError("truncated", {{"what", "header-only"}});
@@ -78,7 +76,7 @@ PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& l
   if (vertices < 0 || faces < 0) {
     throw InputError("bad-header", {{"what", "counts"}});
   }
-  SoupBuilder builder(0);
+  builder.announce_faces(faces);
   for (int v = 0; v < vertices; ++v) {
     numbers.begin("vertex", v);
     read_vertex(numbers, layout, builder);
@@ -87,7 +85,12 @@ PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& l
     numbers.begin("face", f);
     read_face(numbers, builder);
   }
-  return builder.finish();
+}
+
+}  // namespace
+
+PolygonSoup read_off_binary(std::span<const std::byte> bytes, const OffLayout& layout) {
+  return build_soup(0, [&](SoupBuilder& builder) { read_numbers(bytes, layout, builder); });
 }
 
 }  // namespace foldwright

@@ -14,12 +14,14 @@ namespace {
 
 Place here(const TextScanner& scanner) { return {"line", scanner.line()}; }
 
+/// NaN where there is none. At the end of the file that tells that the rest is missing.
 double coordinate(TextScanner& scanner, SoupBuilder& builder) {
   const std::string_view word = scanner.word_in_line();
-  if (word.empty()) {
-    throw InputError("truncated", here(scanner), {{"what", "coordinates"}});
-  }
-  return builder.text_coordinate(word, scanner.line());
+  if (!word.empty()) return builder.text_coordinate(word, scanner.line());
+  const InputError fault("truncated", here(scanner), {{"what", "coordinates"}});
+  if (scanner.at_end()) throw fault;
+  builder.meet_fault(fault);
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The part of a corner between its first and its second slash: the place in a picture, as in "7/1"
@@ -39,21 +41,24 @@ void name_place(SoupBuilder& builder, std::string_view word) {
   constexpr long long kNowhere = std::numeric_limits<int>::max();
   const long long number = parse_integer(word).value_or(kNowhere);
   const long long index = number < 0 ? looks.place_count() + number : number - 1;
-  looks.name_place(builder.corner_count(), index < 0 ? kNowhere : index);
+  looks.name_place(builder.corner_count(), index < -1 ? kNowhere : index);
 }
 
 /// A corner such as "7", "7/1", "7//2" or "-1/-1/-1"; normals do not count.
 void add_corner(SoupBuilder& builder, std::string_view word, const Place& place) {
   name_place(builder, place_word(word));
   const std::string_view vertex = word.substr(0, word.find('/'));
-  const long long index = integer_of(vertex, static_cast<int>(place.number));
-  if (index >= 0) return builder.add_corner(index);
-  const long long absolute = builder.vertex_count() + 1 + index;
-  if (absolute < 1) {
-    throw InputError("bad-index", place,
-                     {{"what", "before"}, {"index", index}, {"vertices", builder.vertex_count()}});
+  const std::optional<long long> index = parse_integer(vertex);
+  if (!index) {
+    return builder.add_lost_corner(no_whole_number(vertex, static_cast<int>(place.number)));
   }
-  builder.add_corner(absolute);
+  if (*index >= 0) return builder.add_corner(*index);
+  const long long absolute = builder.vertex_count() + 1 + *index;
+  if (absolute >= 1) return builder.add_corner(absolute);
+  builder.add_lost_corner(
+      {"bad-index",
+       place,
+       {{"what", "before"}, {"index", *index}, {"vertices", builder.vertex_count()}}});
 }
 
 void read_vertex(TextScanner& scanner, SoupBuilder& builder) {
@@ -134,12 +139,7 @@ void require_faces(const Ignored& ignored, const SoupBuilder& builder) {
   throw InputError("no-faces", {{"what", "surfaces"}});
 }
 
-}  // namespace
-
-PolygonSoup read_obj(std::span<const std::byte> bytes) {
-  refuse_nul(bytes);
-  TextScanner scanner(bytes, LineContinuation::kBackslash);
-  SoupBuilder builder(1);
+void read_lines(TextScanner scanner, SoupBuilder& builder) {
   Ignored ignored;
   std::optional<int> material;
   do {
@@ -160,7 +160,14 @@ PolygonSoup read_obj(std::span<const std::byte> bytes) {
   } while (scanner.next_line());
   require_faces(ignored, builder);
   note_ignored(ignored, builder);
-  return builder.finish();
+}
+
+}  // namespace
+
+PolygonSoup read_obj(std::span<const std::byte> bytes) {
+  refuse_nul(bytes);
+  const TextScanner scanner(bytes, LineContinuation::kBackslash);
+  return build_soup(1, [&](SoupBuilder& builder) { read_lines(scanner, builder); });
 }
 
 }  // namespace foldwright

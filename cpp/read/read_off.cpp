@@ -133,7 +133,7 @@ void read_vertex(TextScanner& scanner, const OffLayout& layout, SoupBuilder& bui
   }
   if (layout.is_homogeneous) {
     const double w = scanner.number();
-    if (w == 0) throw InputError("not-finite", here(scanner), {{"what", "weight"}});
+    if (w == 0) builder.meet_fault({"not-finite", here(scanner), {{"what", "weight"}}});
     position /= w;
   }
   builder.add_vertex(position, place);
@@ -142,7 +142,15 @@ void read_vertex(TextScanner& scanner, const OffLayout& layout, SoupBuilder& bui
 void read_face(TextScanner& scanner, SoupBuilder& builder) {
   const long long corners = scanner.integer();
   const Place place = here(scanner);
-  for (long long i = 0; i < corners; ++i) builder.add_corner(scanner.integer());
+  for (long long i = 0; i < corners; ++i) {
+    const std::string_view word = scanner.number_word();
+    const std::optional<long long> index = parse_integer(word);
+    if (index) {
+      builder.add_corner(*index);
+    } else {
+      builder.add_lost_corner(no_whole_number(word, scanner.line()));
+    }
+  }
   builder.end_face(place);
 }
 
@@ -156,10 +164,10 @@ bool find_word(TextScanner& scanner) {
   return true;
 }
 
-PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
+void read_text(TextScanner scanner, const OffLayout& layout, SoupBuilder& builder) {
   const Counts counts = read_counts(scanner, layout);
   const Gaps gaps = find_gaps(scanner, layout, counts);
-  SoupBuilder builder(0);
+  builder.announce_faces(counts.faces);
   read_gap(scanner, gaps, gaps.after_counts);
   for (long long v = 0; v < counts.vertices; ++v) {
     if (!find_word(scanner)) fail_at_end(scanner, "vertices", v, counts.vertices);
@@ -175,7 +183,6 @@ PolygonSoup read_text(TextScanner scanner, const OffLayout& layout) {
     const int rest = static_cast<int>(1 + lines_with_words(scanner));
     builder.note({"trailing-lines", rest});
   }
-  return builder.finish();
 }
 
 }  // namespace
@@ -185,7 +192,7 @@ PolygonSoup read_off(std::span<const std::byte> bytes) {
   const OffLayout layout = read_off_header(scanner);
   if (layout.is_binary) return read_off_binary(bytes.subspan(scanner.position()), layout);
   refuse_nul(bytes);
-  return read_text(scanner, layout);
+  return build_soup(0, [&](SoupBuilder& builder) { read_text(scanner, layout, builder); });
 }
 
 }  // namespace foldwright

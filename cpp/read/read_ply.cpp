@@ -344,9 +344,12 @@ PolygonSoup read_ply(std::span<const std::byte> bytes) {
   const bool is_ascii = header.encoding == PlyEncoding::kAscii;
   refuse_nul(is_ascii ? bytes : bytes.first(scanner.position()));
   PlyData data(scanner, bytes, header.encoding);
-  SoupBuilder builder(0);
-  for (const PlyElement& element : header.elements) read_element(data, element, builder);
-  return builder.finish();
+  return build_soup(0, [&](SoupBuilder& builder) {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == "face") builder.announce_faces(element.count);
+      read_element(data, element, builder);
+    }
+  });
 }
 
 }  // namespace foldwright

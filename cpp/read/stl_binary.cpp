@@ -74,6 +74,32 @@ int clamped(long long count) {
   return static_cast<int>(std::min<long long>(count, std::numeric_limits<int>::max()));
 }
 
+void read_triangles(std::span<const std::byte> bytes, SoupBuilder& builder) {
+  if (bytes.size() < kHeaderSize) {
+    throw InputError("truncated", {{"what", "stl-header"}, {"bytes", bytes.size()}});
+  }
+  ByteReader reader = after_free_text(bytes);
+  const long long announced = reader.read<std::uint32_t>();
+  const long long present = static_cast<long long>(reader.left() / kTriangleSize);
+  const bool ends_whole = reader.left() % kTriangleSize == 0;
+  // Exporters that stream their output leave any count before whole triangles, mostly 0.
+  const bool wrong_count = announced != present && (ends_whole || announced == 0);
+  const long long count = std::min(wrong_count ? present : announced, present);
+  builder.announce_faces(announced);
+  const ColourBits bits = colour_bits(bytes);
+  for (long long t = 1; t <= count; ++t) add_triangle(reader, bits, builder, t);
+  if (announced > present && !ends_whole) {
+    throw InputError("truncated", Place{"triangle", present + 1},
+                     {{"what", "triangles"}, {"announced", announced}});
+  }
+  if (wrong_count) {
+    builder.note({"wrong-count", clamped(present), {{"announced", announced}}});
+  }
+  if (reader.left() > 0) {
+    builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left()))});
+  }
+}
+
 }  // namespace
 
 bool has_size_of_binary_stl(std::span<const std::byte> bytes) {
@@ -83,30 +109,7 @@ bool has_size_of_binary_stl(std::span<const std::byte> bytes) {
 }
 
 PolygonSoup read_stl_binary(std::span<const std::byte> bytes) {
-  if (bytes.size() < kHeaderSize) {
-    throw InputError("truncated", {{"what", "stl-header"}, {"bytes", bytes.size()}});
-  }
-  ByteReader reader = after_free_text(bytes);
-  const long long announced = reader.read<std::uint32_t>();
-  const long long present = static_cast<long long>(reader.left() / kTriangleSize);
-  const bool ends_whole = reader.left() % kTriangleSize == 0;
-  if (announced > present && !ends_whole) {
-    throw InputError("truncated", Place{"triangle", present + 1},
-                     {{"what", "triangles"}, {"announced", announced}});
-  }
-  // Exporters that stream their output leave any count before whole triangles, mostly 0.
-  const bool wrong_count = announced != present && (ends_whole || announced == 0);
-  const long long count = wrong_count ? present : announced;
-  SoupBuilder builder(0);
-  const ColourBits bits = colour_bits(bytes);
-  for (long long t = 1; t <= count; ++t) add_triangle(reader, bits, builder, t);
-  if (wrong_count) {
-    builder.note({"wrong-count", clamped(present), {{"announced", announced}}});
-  }
-  if (reader.left() > 0) {
-    builder.note({"trailing-bytes", clamped(static_cast<long long>(reader.left()))});
-  }
-  return builder.finish();
+  return build_soup(0, [&](SoupBuilder& builder) { read_triangles(bytes, builder); });
 }
 
 }  // namespace foldwright

@@ -88,9 +88,10 @@ void skip_normal(TextScanner& scanner) {
 
 class StlText {
  public:
-  explicit StlText(std::span<const std::byte> bytes) : scanner_(bytes) {}
+  StlText(std::span<const std::byte> bytes, SoupBuilder& builder)
+      : scanner_(bytes), builder_(builder) {}
 
-  PolygonSoup read() {
+  void read() {
     for (std::string_view word = scanner_.word(); !word.empty(); word = scanner_.word()) {
       take(is_word(word, "end") ? end_of(keyword_of(scanner_.word())) : keyword_of(word), word);
     }
@@ -98,12 +99,11 @@ class StlText {
     if (in_solid_) {
       builder_.note({"missing-endsolid", 1});
     }
-    return builder_.finish();
   }
 
  private:
   TextScanner scanner_;
-  SoupBuilder builder_{0};
+  SoupBuilder& builder_;
   Place place_{"line", 1};  // of the face
   bool in_solid_ = false;
   bool in_face_ = false;
@@ -207,7 +207,7 @@ bool is_stl_text(std::span<const std::byte> bytes) {
 
 PolygonSoup read_stl_text(std::span<const std::byte> bytes) {
   refuse_nul(bytes);
-  return StlText(bytes).read();
+  return build_soup(0, [&](SoupBuilder& builder) { StlText(bytes, builder).read(); });
 }
 
 }  // namespace foldwright

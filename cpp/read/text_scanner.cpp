@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <limits>
 
-#include "mesh/input_error.h"
-
 namespace foldwright {
 namespace {
 
@@ -15,6 +13,8 @@ bool is_line_break(char c) { return c == '\n' || c == '\r'; }
 // Other control characters belong to words, so that none splits a number. DOS ended texts with
 // the control character 26.
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A'; }
+
+bool is_decimal_mark(char c) { return c == '.' || c == ','; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -49,7 +49,7 @@ std::optional<Decimal> parse_decimal(std::string_view word) {
   bool seen_point = false;
   bool rest_is_zero = true;
   for (; i < word.size(); ++i) {
-    if (word[i] == '.' && !seen_point) {
+    if (is_decimal_mark(word[i]) && !seen_point) {
       seen_point = true;
       continue;
     }
@@ -95,8 +95,8 @@ std::optional<double> parse_short(std::string_view word) {
   std::size_t i = 0;
   std::size_t digits = 0;
   bool seen_point = false;
-  for (; i < word.size() && (is_digit(word[i]) || (word[i] == '.' && !seen_point)); ++i) {
-    if (word[i] == '.') {
+  for (; i < word.size() && (is_digit(word[i]) || (is_decimal_mark(word[i]) && !seen_point)); ++i) {
+    if (is_decimal_mark(word[i])) {
       seen_point = true;
       continue;
     }
@@ -229,14 +229,23 @@ std::optional<long long> parse_integer(std::string_view word) {
 
 double number_of(std::string_view word, int line) {
   if (const std::optional<double> value = parse_number(word)) return *value;
-  const bool has_comma = word.find(',') != std::string_view::npos;
-  throw InputError("bad-number", Place{"line", line},
-                   {{"what", has_comma ? "comma" : "number"}, {"word", excerpt(word)}});
+  throw no_number(word, line);
 }
 
 long long integer_of(std::string_view word, int line) {
   if (const std::optional<long long> value = parse_integer(word)) return *value;
-  throw InputError("bad-number", Place{"line", line}, {{"what", "whole"}, {"word", excerpt(word)}});
+  throw no_whole_number(word, line);
+}
+
+InputError no_number(std::string_view word, int line) {
+  const bool has_comma = word.find(',') != std::string_view::npos;
+  return {"bad-number",
+          Place{"line", line},
+          {{"what", has_comma ? "comma" : "number"}, {"word", excerpt(word)}}};
+}
+
+InputError no_whole_number(std::string_view word, int line) {
+  return {"bad-number", Place{"line", line}, {{"what", "whole"}, {"word", excerpt(word)}}};
 }
 
 std::string excerpt(std::string_view word) {

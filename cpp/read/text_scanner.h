@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "mesh/input_error.h"
+
 namespace foldwright {
 
 enum class LineContinuation { kNone, kBackslash };
@@ -57,8 +59,9 @@ class TextScanner {
   bool at_continuation() const;
 };
 
-/// A decimal number, rounded to the nearest double, whatever the locale; also "nan" and "inf" in
-/// the spellings that C libraries print. Empty when the word is anything else.
+/// A decimal number, rounded to the nearest double, whatever the locale, with a point or, as
+/// programs in many languages write it, a comma; also "nan" and "inf" in the spellings that C
+/// libraries print. Empty when the word is anything else.
 std::optional<double> parse_number(std::string_view word);
 
 /// A whole number, possibly signed; saturates far outside the range of any index. Empty when the
@@ -70,6 +73,10 @@ double number_of(std::string_view word, int line);
 
 /// The word as a whole number. \throw InputError ("bad-number") naming the line
 long long integer_of(std::string_view word, int line);
+
+/// What a file is refused for whose word in that line is no number, or no whole number.
+InputError no_number(std::string_view word, int line);
+InputError no_whole_number(std::string_view word, int line);
 
 /// The word, shortened and without unprintable characters, fit for a message.
 std::string excerpt(std::string_view word);

@@ -64,7 +64,8 @@ std::vector<std::vector<int>> faces_of_polygons(const TriangleSoup& soup,
     const auto edge = groups.group(g);
     if (edge.size() != 2) continue;
     const auto [f, h] = std::pair(edge[0] / 3, edge[1] / 3);
-    if (soup.source_faces[f] == soup.source_faces[h]) polygons.join(f, h);
+    const bool is_drawn = soup.source_faces[f] != -1;
+    if (is_drawn && soup.source_faces[f] == soup.source_faces[h]) polygons.join(f, h);
   }
   std::vector<std::vector<int>> faces(soup.face_count());
   for (int f = 0; f < soup.face_count(); ++f) faces[polygons.find(f)].push_back(f);

@@ -117,6 +117,14 @@ Orientation orient(const TriangleSoup& soup, const Partners& partners,
   return orientation;
 }
 
+void turn_faces(TriangleSoup& soup, const std::vector<char>& turned) {
+  for (int f = 0; f < soup.face_count(); ++f) {
+    if (!turned[f]) continue;
+    std::swap(soup.faces[f][1], soup.faces[f][2]);
+    if (!soup.origins.empty()) std::swap(soup.origins[f][1], soup.origins[f][2]);
+  }
+}
+
 void turn_faces(TriangleSoup& soup, Partners& partners, const std::vector<char>& turned) {
   // Turned, corners (a, b, c) become (a, c, b): the half-edge at corner i is then at corner 2 - i.
   const auto moved = [&](int h) { return turned[h / 3] ? 3 * (h / 3) + 2 - h % 3 : h; };
@@ -125,11 +133,7 @@ void turn_faces(TriangleSoup& soup, Partners& partners, const std::vector<char>&
     if (partners[h] != -1) new_partners[moved(h)] = moved(partners[h]);
   }
   partners = std::move(new_partners);
-  for (int f = 0; f < soup.face_count(); ++f) {
-    if (!turned[f]) continue;
-    std::swap(soup.faces[f][1], soup.faces[f][2]);
-    if (!soup.origins.empty()) std::swap(soup.origins[f][1], soup.origins[f][2]);
-  }
+  turn_faces(soup, turned);
 }
 
 }  // namespace foldwright

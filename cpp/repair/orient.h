@@ -24,7 +24,10 @@ struct Orientation {
 Orientation orient(const TriangleSoup& soup, const Partners& partners,
                    const std::vector<char>& turned_before);
 
-/// Reverses the winding of faces, and keeps the partners right.
+/// Reverses the winding of faces.
+void turn_faces(TriangleSoup& soup, const std::vector<char>& turned);
+
+/// The same, and keeps the partners right.
 void turn_faces(TriangleSoup& soup, Partners& partners, const std::vector<char>& turned);
 
 }  // namespace foldwright

@@ -7,13 +7,14 @@
 
 #include "mesh/input_error.h"
 #include "repair/close_cracks.h"
-#include "repair/crossing_bodies.h"
 #include "repair/drawn_planes.h"
 #include "repair/drop_faces.h"
 #include "repair/edge_groups.h"
+#include "repair/fill_holes.h"
 #include "repair/flatten_planes.h"
 #include "repair/join_faces.h"
 #include "repair/joints.h"
+#include "repair/mend_bodies.h"
 #include "repair/merge_sides.h"
 #include "repair/orient.h"
 #include "repair/split_nonmanifold.h"
@@ -35,6 +36,7 @@ struct Frame {
   Vec3 centre;
   int exponent;
   double diagonal;  // of the bounding box, in the repair's units
+  double longest;   // side of the box, in the repair's units
 
   double scaled(double length) const { return std::ldexp(length, -exponent); }
   double in_model_units(double length) const { return std::ldexp(length, exponent); }
@@ -58,9 +60,10 @@ Frame frame_of(std::span<const Vec3> positions) {
   if (size < kSmallest || size > kLargest) {
     throw InputError("bad-size", {{"least", kSmallest}, {"most", kLargest}});
   }
-  Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0};
+  Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0, 0};
   std::frexp(size, &frame.exponent);
   frame.diagonal = 2 * frame.scaled(frame.centre + half).norm();
+  frame.longest = 2 * frame.scaled(size);
   return frame;
 }
 
@@ -79,7 +82,8 @@ std::vector<int> used_vertices(std::span<const int> corners, std::size_t vertex_
 int count_sources(const TriangleSoup& soup, int source_count, const std::vector<char>* selected) {
   std::vector<char> present(source_count, false);
   for (int f = 0; f < soup.face_count(); ++f) {
-    if (selected == nullptr || (*selected)[f]) present[soup.source_faces[f]] = true;
+    const int source = soup.source_faces[f];
+    if (source != -1 && (selected == nullptr || (*selected)[f])) present[source] = true;
   }
   return static_cast<int>(std::count(present.begin(), present.end(), true));
 }
@@ -140,7 +144,8 @@ class FaceDropper {
 
   void report_to(RepairedModel& model, const TriangleSoup& triangles) const {
     const int left = count_sources(triangles, source_count_, nullptr);
-    report(model, "dropped-degenerate-faces", source_count_ - left - duplicates_ - two_sided_);
+    const int told = duplicates_ + two_sided_ + model.unusable_faces;
+    report(model, "dropped-degenerate-faces", source_count_ - left - told);
     report(model, "dropped-duplicate-faces", duplicates_);
     report(model, "merged-two-sided", two_sided_);
   }
@@ -182,6 +187,26 @@ void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions
   if (triangles.faces.empty()) throw InputError("no-area", {{"what", "faces"}});
 }
 
+/// Fills the holes that are to be filled, and tells of those that could be.
+void mend_holes(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
+                RepairedModel& model) {
+  // What people call small; larger holes may well be meant.
+  constexpr double kSmall = 0.1;
+  const double least_height = 2 * options.weld_tolerance * frame.diagonal;
+  const Holes holes = fill_holes(triangles, options.fill_holes * frame.longest, least_height);
+  report(model, "filled-holes", holes.filled);
+  report(model, "unfilled-holes", holes.refused);
+  if (holes.left.empty()) return;
+  const auto percent = [&](double width) {
+    return std::ceil(1000 * width / frame.longest) / 10;  // enough to fill it
+  };
+  const auto is_small = [&](double width) { return percent(width) <= 100 * kSmall; };
+  report(model, "open-holes", static_cast<int>(holes.left.size()),
+         {{"percent", percent(holes.left.back())},
+          {"small", static_cast<int>(std::ranges::count_if(holes.left, is_small))},
+          {"small_percent", 100 * kSmall}});
+}
+
 /// Makes flat what was drawn flat.
 void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& model) {
   const Flattening flattening = flatten_planes(triangles, find_drawn_planes(triangles));
@@ -192,8 +217,17 @@ void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& m
          {{"distance", frame.in_model_units(flattening.distance)}});
 }
 
+/// What it took to make a surface an oriented manifold.
+struct ManifoldWork {
+  std::vector<char> turned;  // per face: whether its winding is not that of the file
+  int nonmanifold_edges = 0;
+  int contradictions = 0;
+  Splits splits;
+};
+
 /// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
-void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
+ManifoldWork make_manifold(TriangleSoup& triangles) {
+  ManifoldWork work;
   std::vector<char> turned(triangles.faces.size(), false);
   Partners partners = join_manifold_edges(triangles, group_half_edges(triangles));
   const Orientation patches = orient(triangles, partners, turned);
@@ -202,7 +236,7 @@ void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
 
   // Only faces that know their outside can be paired; the pairs in turn may connect patches that
   // were wound by guess.
-  const int nonmanifold_edges =
+  work.nonmanifold_edges =
       join_nonmanifold_edges(triangles, group_half_edges(triangles), patches, partners);
   const Orientation whole = orient(triangles, partners, turned);
   for (const int h : whole.contradictions) {
@@ -211,14 +245,35 @@ void make_manifold(TriangleSoup& triangles, RepairedModel& model) {
   }
   turn_faces(triangles, partners, whole.turned);
   for (std::size_t f = 0; f < turned.size(); ++f) turned[f] ^= whole.turned[f];
-  const int turned_faces = count_sources(triangles, model.source_face_count, &turned);
+  work.contradictions = static_cast<int>(whole.contradictions.size());
+  work.splits = split_nonmanifold(triangles, partners);
+  // What a split has added comes from faces of the file that are counted already.
+  turned.resize(triangles.faces.size(), false);
+  work.turned = std::move(turned);
+  return work;
+}
 
-  const Splits splits = split_nonmanifold(triangles, partners);
-  report(model, "flipped-faces", turned_faces);
-  report(model, "split-nonmanifold-edges", nonmanifold_edges);
-  report(model, "split-nonmanifold-vertices", splits.vertices);
-  report(model, "halved-edges", splits.midpoints);
-  report(model, "cut-nonorientable", static_cast<int>(whole.contradictions.size()));
+void report_manifold(const TriangleSoup& triangles, const ManifoldWork& work,
+                     RepairedModel& model) {
+  report(model, "flipped-faces", count_sources(triangles, model.source_face_count, &work.turned));
+  report(model, "split-nonmanifold-edges", work.nonmanifold_edges);
+  report(model, "split-nonmanifold-vertices", work.splits.vertices);
+  report(model, "halved-edges", work.splits.midpoints);
+  report(model, "cut-nonorientable", work.contradictions);
+}
+
+/// Winds cavities, and leaves out bodies inside others if that is asked for.
+BodyWork sort_bodies(TriangleSoup& triangles, const RepairOptions& options,
+                     std::vector<char>& turned, RepairedModel& model) {
+  const int before = count_sources(triangles, model.source_face_count, nullptr);
+  BodyWork work = mend_bodies(triangles, options.drop_inner, turned);
+  const int left = count_sources(triangles, model.source_face_count, nullptr);
+  if (options.drop_inner) {
+    report(model, "dropped-inner-bodies", work.inner, {{"faces", before - left}});
+  } else {
+    report(model, "inner-bodies", work.inner);
+  }
+  return work;
 }
 
 /// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
@@ -247,13 +302,12 @@ void finish_mesh(TriangleSoup&& triangles, const Frame& frame, RepairedModel& mo
 }
 
 /// Tells what the mesh is, where people may not know or may have meant something else.
-void report_shape(RepairedModel& model, const RepairOptions& options) {
+void report_shape(RepairedModel& model, const RepairOptions& options, const Crossings& crossings) {
   int borders = 0;
   for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
   report(model, "open-border", borders, {{"gap", options.widest_crack}});
-  const Crossings crossings = find_crossings(model.mesh);
-  report(model, "crossing-bodies", crossings.pairs);
-  report(model, "self-crossing-bodies", crossings.bodies);
+  report(model, "crossing-bodies", static_cast<int>(crossings.pairs.size()));
+  report(model, "self-crossing-bodies", static_cast<int>(crossings.bodies.size()));
   report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count());
 }
 
@@ -263,6 +317,7 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   RepairedModel model;
   model.repairs = soup.repairs;
   model.source_face_count = soup.face_count();
+  model.unusable_faces = soup.unusable_faces;
   const std::vector<int> used = used_vertices(soup.corners, soup.positions.size());
   if (used.empty()) throw InputError("no-faces", {{"what", "model"}});
   report(model, "dropped-unused-vertices", static_cast<int>(soup.positions.size() - used.size()));
@@ -273,10 +328,13 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   const double tolerance = options.weld_tolerance * frame.diagonal;
   TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
   mend_faces(triangles, frame, options, model);
-  make_manifold(triangles, model);
+  mend_holes(triangles, frame, options, model);
+  ManifoldWork manifold = make_manifold(triangles);
+  const BodyWork bodies = sort_bodies(triangles, options, manifold.turned, model);
+  report_manifold(triangles, manifold, model);
   flatten_faces(triangles, frame, model);
   finish_mesh(std::move(triangles), frame, model);
-  report_shape(model, options);
+  report_shape(model, options, bodies.crossings);
   return model;
 }
 

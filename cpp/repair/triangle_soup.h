@@ -13,7 +13,8 @@ namespace foldwright {
 struct TriangleSoup {
   std::vector<Vec3> positions;
   std::vector<std::array<int, 3>> faces;
-  std::vector<int> source_faces;  ///< per face: index of the face it came from in the file as read
+  /// Per face: index of the face it came from in the file as read, -1 if it fills a hole.
+  std::vector<int> source_faces;
   /// Per vertex: how far each of its coordinates may be from what was meant. Vertices past its end
   /// are exact.
   std::vector<double> errors = {};

@@ -7,8 +7,9 @@ import { root } from '../setup/paths.mjs';
 /** Where each bundle notes which npm packages it contains, for the third-party notices. */
 export const shippedFolder = join(root, 'build/shipped');
 
-/** @param name of the note, one per bundle (Vite builds workers as bundles of their own) */
+/** @param name of the note, one per plugin; Vite builds each worker as a bundle of its own, all of which may share one */
 export function notePackages(name) {
+  const noted = new Set();
   return {
     name: 'note-packages',
     generateBundle(_options, bundle) {
@@ -16,9 +17,9 @@ export function notePackages(name) {
       const modules = chunks.flatMap((chunk) => Object.keys(chunk.modules));
       // The innermost node_modules folder names the package, scoped or not.
       const packages = modules.map((id) => id.match(/.*node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[0]);
+      for (const folder of packages.filter(Boolean)) noted.add(folder);
       mkdirSync(shippedFolder, { recursive: true });
-      const list = [...new Set(packages.filter(Boolean))].sort();
-      writeFileSync(join(shippedFolder, `${name}.json`), JSON.stringify(list));
+      writeFileSync(join(shippedFolder, `${name}.json`), JSON.stringify([...noted].sort()));
     },
   };
 }
@@ -70,6 +71,26 @@ export function withoutNodeModules() {
     enforce: 'pre',
     resolveId: (id) => (names.includes(id) ? empty : null),
     load: (id) => (id === empty ? 'export {};' : null),
+  };
+}
+
+/**
+ * A module of the addresses of the gallery's files by their names. Each is named by itself: so those who take up the
+ * package find them.
+ */
+export function sampleAddresses() {
+  const name = 'virtual:sample-addresses';
+  const own = `\0${name}`;
+  return {
+    name: 'sample-addresses',
+    resolveId: (id) => (id === name ? own : null),
+    load(id) {
+      if (id !== own) return null;
+      const files = readdirSync(join(root, 'web/app/public/samples')).sort();
+      const imports = files.map((file, i) => `import at${i} from '/samples/${file}?url';`);
+      const entries = files.map((file, i) => `${JSON.stringify(file)}: at${i}`);
+      return `${imports.join('\n')}\nexport default { ${entries.join(', ')} };`;
+    },
   };
 }
 

@@ -10,20 +10,26 @@ const engine = [
   ...['libeigen3-dev', 'libspectra-dev', 'libgtest-dev', 'libbenchmark-dev'],
 ];
 const emscriptenNeeds = ['clang-19', 'lld-19', 'llvm-19'];
-// A browser for the end-to-end tests, tools that judge the written PDF and SVG files, the formatter of C++, and libFuzzer
-// with the compiler that it belongs to.
+// Two more browsers, and a screen for them.
+const engines = ['firefox-esr', 'webkit2gtk-driver', 'xvfb'];
+// A browser, tools that judge the written PDF and SVG files, the formatter of C++, and libFuzzer with the compiler that
+// it belongs to.
 const testing = [
   ...['chromium', 'poppler-utils', 'qpdf', 'librsvg2-bin', 'clang-format', 'clang-tidy'],
   ...['clang-19', 'libclang-rt-19-dev'],
 ];
 
-/** @param withBrowser also what only the tests need */
-export function debianPackages({ withBrowser }) {
-  if (operatingSystem().id !== 'debian') return requireTools({ withBrowser });
+/**
+ * @param withBrowser also what only the tests need
+ * @param withEngines also what only the tests in three engines need
+ */
+export function debianPackages({ withBrowser, withEngines }) {
+  if (operatingSystem().id !== 'debian') return requireTools({ withBrowser, withEngines });
   const wanted = [
     ...engine,
     ...(emscriptenOnPath() ? [] : emscriptenNeeds),
     ...(withBrowser ? testing : []),
+    ...(withEngines ? engines : []),
   ];
   const present = installedPackages();
   const missing = wanted.filter((name) => !present.has(name));
@@ -59,11 +65,12 @@ function installedPackages(file = '/var/lib/dpkg/status') {
 }
 
 /** On other systems nothing is installed: what is missing is named, and a person chooses where it comes from. */
-function requireTools({ withBrowser }) {
+function requireTools({ withBrowser, withEngines }) {
   const programs = [
     'cmake',
     'ninja',
     ...(withBrowser ? ['clang-format', 'clang++-19', 'qpdf', 'pdftocairo', 'chromium'] : []),
+    ...(withEngines ? ['firefox-esr', 'WebKitWebDriver', 'Xvfb'] : []),
   ];
   const missing = programs.filter((name) => !isOnPath(name));
   if (!emscriptenOnPath()) missing.push('em++ (Emscripten 3.1.60 or newer)');

@@ -54,7 +54,6 @@ async function withStudio(address, work, options = {}) {
   try {
     await studio.page.fill('#parts', String(parts));
     // Whoever asks for a number of triangles is not held at the check of large models.
-    await studio.page.locator('#more > summary').click();
     await studio.page.fill('#faces', String(mostFaces));
     await studio.page.waitForTimeout(preparation);
     await work(studio);
@@ -96,6 +95,7 @@ async function measureDrawing(address, model) {
   const work = async (studio) => {
     await studio.page.selectOption('#solver', 'genetic');
     await studio.choose(model.name, model.content);
+    await studio.page.locator('#how summary').click();
     await studio.page.locator('#chart .curve--now').waitFor({ timeout: 60_000 });
     rate = await drawingsPerSecond(studio);
     await studio.page.locator('#cancel').click();

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "outline_gaps.h"
 #include "paper/packing.h"
 #include "pipeline/flat_net.h"
 #include "seam_counts.h"
@@ -104,6 +105,11 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   m.values["seams"] = counted.seams;
   m.values["glue_mm"] = counted.glue;
   m.values["changes"] = turns.followers == 0 ? 0 : 100.0 * turns.changes / turns.followers;
+  OutlineGaps gaps;
+  for (const Piece& piece : result.pieces) gaps += outline_gaps(piece.net, piece.flaps);
+  m.values["close"] = 100 * gaps.close / gaps.length;
+  m.values["close_corner"] = 100 * gaps.corner / gaps.length;
+  m.values["close_hair"] = 100 * gaps.hair / gaps.length;
   m.values["strip"] = 100 * strip_efficiency(result, prints, options.sheet);
   m.values["pieces"] = static_cast<double>(result.pieces.size());
   m.values["sheets"] = result.sheets.sheet_count;

@@ -94,4 +94,5 @@ if (process.argv.includes('--full')) {
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
+  run(process.execPath, ['tests/bench/auto.mjs'], 'inherit');
 }

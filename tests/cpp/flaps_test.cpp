@@ -258,7 +258,7 @@ TEST(PlaceFlaps, TellsWhyThereIsNone) {
   EXPECT_NEAR(plan.counts.missing_length / plan.counts.wanted_length,
               static_cast<double>(plan.missed.size()) / plan.counts.wanted, 0.15);
   for (const MissedFlap& miss : plan.missed) EXPECT_NE(miss.why, FlapMiss::kShort);
-  const FlapPlan flat = place_flaps(sphere, small, {FlapSide::kOne, {.angle = 0.3}});
+  const FlapPlan flat = place_flaps(sphere, small, {FlapSide::kOne, {.angles = {0.3, 0.3}}});
   EXPECT_EQ(flat.missed.front().why, FlapMiss::kShort) << "sides of 17 degrees need 13 mm";
 }
 

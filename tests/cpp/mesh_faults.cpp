@@ -1,5 +1,6 @@
 #include "mesh_faults.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -49,29 +50,44 @@ std::string edge_fault(const Mesh& mesh) {
   return "";
 }
 
-std::string volume_fault(const Mesh& mesh) {
-  std::vector<char> is_open(mesh.component_count, false);
+/// What a component of a mesh encloses.
+struct Enclosed {
+  bool is_open = false;
+  double volume = 0;  // six times it
+  double area = 0;
+  Vec3 reference = Vec3::Zero();  // a corner: volumes far from the origin lose digits
+  Eigen::AlignedBox3d box;
+};
+
+std::vector<Enclosed> measure_components(const Mesh& mesh) {
+  std::vector<Enclosed> components(mesh.component_count);
   for (const Mesh::Edge& edge : mesh.edges) {
-    if (edge.faces[1] == -1) is_open[mesh.components[edge.faces[0]]] = true;
+    if (edge.faces[1] == -1) components[mesh.components[edge.faces[0]]].is_open = true;
   }
-  std::vector<double> volume(mesh.component_count, 0);
-  std::vector<double> area(mesh.component_count, 0);
-  std::vector<Vec3> reference(mesh.component_count);
   for (int f = mesh.face_count() - 1; f >= 0; --f) {
-    reference[mesh.components[f]] = mesh.positions[mesh.faces[f][0]];
+    components[mesh.components[f]].reference = mesh.positions[mesh.faces[f][0]];
   }
   for (int f = 0; f < mesh.face_count(); ++f) {
     const auto& [a, b, c] = mesh.faces[f];
-    const Vec3& origin = reference[mesh.components[f]];
-    volume[mesh.components[f]] +=
-        (mesh.positions[a] - origin)
-            .dot((mesh.positions[b] - origin).cross(mesh.positions[c] - origin));
-    area[mesh.components[f]] += face_area(mesh, f);
+    Enclosed& of = components[mesh.components[f]];
+    const auto from = [&](int v) { return Vec3(mesh.positions[v] - of.reference); };
+    of.volume += from(a).dot(from(b).cross(from(c)));
+    of.area += face_area(mesh, f);
+    for (const int v : mesh.faces[f]) of.box.extend(mesh.positions[v]);
   }
-  for (int c = 0; c < mesh.component_count; ++c) {
+  return components;
+}
+
+std::string volume_fault(const Mesh& mesh) {
+  const std::vector<Enclosed> components = measure_components(mesh);
+  for (const Enclosed& inner : components) {
     // A sheet with two sides encloses nothing, up to rounding.
-    if (!is_open[c] && volume[c] < -1e-8 * std::pow(area[c], 1.5))
-      return "a closed component is wound inwards";
+    if (inner.is_open || inner.volume >= -1e-8 * std::pow(inner.area, 1.5)) continue;
+    // Only cavities are wound inwards.
+    const bool is_cavity = std::any_of(components.begin(), components.end(), [&](const auto& c) {
+      return !c.is_open && c.volume > -inner.volume && c.box.contains(inner.box);
+    });
+    if (!is_cavity) return "a closed component is wound inwards";
   }
   return "";
 }
@@ -117,7 +133,8 @@ std::string fault_of(const Mesh& mesh) {
 }
 
 std::string bookkeeping_fault_of(const RepairedModel& model) {
-  const std::set<int> present(model.mesh.source_faces.begin(), model.mesh.source_faces.end());
+  std::set<int> present(model.mesh.source_faces.begin(), model.mesh.source_faces.end());
+  present.erase(-1);  // fills a hole
   if (*present.begin() < 0 || *present.rbegin() >= model.source_face_count) {
     return "a source face does not exist";
   }
@@ -130,6 +147,10 @@ std::string bookkeeping_fault_of(const RepairedModel& model) {
     if (drops_faces || repair.code == "merged-two-sided") {
       dropped += repair.count;
     }
+    for (const auto& [name, value] : repair.parameters) {
+      if (repair.code == "dropped-inner-bodies")
+        dropped += static_cast<int>(std::get<double>(value));
+    }
   }
   const int accounted = static_cast<int>(present.size()) + dropped;
   return accounted == model.source_face_count ? "" : "source faces are unaccounted for";
@@ -137,8 +158,11 @@ std::string bookkeeping_fault_of(const RepairedModel& model) {
 
 std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model) {
   for (int f = 0; f < model.mesh.face_count(); ++f) {
+    const int source = model.mesh.source_faces[f];
     for (const CornerOrigin& origin : model.origins[f]) {
-      if (origin.face != model.mesh.source_faces[f]) return "an origin is in another face";
+      // What fills a hole looks like a face beside it.
+      const int expected = source == -1 ? model.origins[f][0].face : source;
+      if (origin.face != expected) return "an origin is in another face";
     }
   }
   return origin_fault_of(soup, model, model.mesh, model.origins);
@@ -153,6 +177,7 @@ std::string origin_fault_of(const PolygonSoup& soup, const RepairedModel& model,
     for (int i = 0; i < 3; ++i) {
       const CornerOrigin& origin = origins[f][i];
       if (const std::string fault = place_fault(soup, origin); !fault.empty()) return fault;
+      if (simple.source_faces[f] == -1) continue;  // fills a hole
       const Vec3& corner = simple.positions[simple.faces[f][i]];
       const double off = (position_at(soup, origin) - model.centre - corner).norm();
       if (off <= tolerance) continue;

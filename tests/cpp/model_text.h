@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/input_error.h"
 #include "read/read_model.h"
@@ -24,6 +25,13 @@ inline std::string refusal(std::string_view text, std::string_view file_name) {
     return error.what();
   }
   return "";
+}
+
+/// The soup's repairs, for developers.
+inline std::vector<std::string> repairs_told(const PolygonSoup& soup) {
+  std::vector<std::string> told;
+  for (const Repair& repair : soup.repairs) told.push_back(describe(message_of(repair)));
+  return told;
 }
 
 /// Corners of one face of a soup.

@@ -52,6 +52,8 @@ TEST(CheckOptions, NamesABadOption) {
       {{.proxy = -1}, "proxy"},
       {{.faces = 3}, "faces"},
       {{.faces = -5}, "faces"},
+      {{.fill_holes = -1}, "fill-holes"},
+      {{.fill_holes = 201}, "fill-holes"},
       {with_sheet({.width = 0}), "paper"},
       {with_sheet({.width = -210}), "paper"},
       {with_sheet({.height = infinity}), "paper"},

@@ -62,6 +62,62 @@ TEST(ReadObj, KeepsFacesThatAreTooShortForTheReport) {
   EXPECT_EQ(read_text(kSquare + "f 1 2 3\nf 1\nf\n", "a.obj").face_count(), 3);
 }
 
+/// The square and a face of it, and what else is said about that file.
+std::vector<std::string> repairs_of(const std::string& rest) {
+  return repairs_told(read_text(kSquare + "f 1 2 3\n" + rest, "a.obj"));
+}
+
+TEST(ReadObj, DropsOnlyTheFacesThatAFaultTouches) {
+  using Told = std::vector<std::string>;
+  for (const char* face : {"f 1 2 99", "f 0 1 4", "f -1 -2 -9", "f 1 x 3"}) {
+    EXPECT_EQ(repairs_of(face + std::string("\n")),
+              Told{"dropped-misnumbered-faces count=1 place=line at=6"})
+        << face;
+  }
+  EXPECT_EQ(repairs_of("v 0 nan 0\nf 1 2 5\nf 2 3 4\nv x 0 0\n"),
+            Told{"dropped-placeless-faces count=1 place=line at=6"});
+  EXPECT_EQ(repairs_of("v 1 2\nf 1 2 5\n"),
+            Told{"dropped-placeless-faces count=1 place=line at=6"});
+  EXPECT_EQ(repairs_of("f 1 2"), Told{"cut-off count=1 place=line at=6"});
+}
+
+TEST(ReadObj, KeepsNumbersAndLooksOfFacesBesideADroppedOne) {
+  const PolygonSoup soup = read_text(
+      kSquare + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/1 9/2 3/3\nf 3/3 4/1 1/2\n", "a.obj");
+  EXPECT_EQ(soup.face_count(), 3);
+  EXPECT_EQ(soup.unusable_faces, 1);
+  EXPECT_TRUE(corners_of(soup, 1).empty());
+  EXPECT_EQ(corners_of(soup, 2), (Corners{2, 3, 0}));
+  const std::vector<PicturePlace> places = {{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 0}, {1, 0}};
+  EXPECT_EQ(soup.looks.places, places);
+}
+
+TEST(ReadObj, RefusesAFileOfWhichMostIsWrong) {
+  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 7 2 3\nf 8 2 3\n", "a.obj"),
+            "bad-index place=line at=6 what=beyond index=7 vertices=4 first=1");
+}
+
+TEST(ReadObj, TakesVerticesThatAreCountedFromZero) {
+  const PolygonSoup soup = read_text(
+      kSquare + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 0/0 1/1 2/2\nf 0/0 2/2 3/3\n", "a.obj");
+  EXPECT_EQ(repairs_told(soup), std::vector<std::string>{"counts-from-zero count=2"});
+  EXPECT_EQ(corners_of(soup, 1), (Corners{0, 2, 3}));
+  const std::vector<PicturePlace> places = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(soup.looks.places, places);
+}
+
+TEST(ReadObj, TakesASlipInAFileWithAnUnusedVertexForNoOtherCount) {
+  const PolygonSoup soup = read_text(kSquare + "v 9 9 9\nf 1 2 4\nf 1 2 4\nf 0 1 2\n", "a.obj");
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 3}));
+  EXPECT_EQ(soup.unusable_faces, 1);
+}
+
+TEST(ReadObj, TakesDecimalCommas) {
+  const PolygonSoup soup = read_text("v 1,5 -0,25 3\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(soup.positions[0], Vec3(1.5, -0.25, 3));
+  EXPECT_EQ(repairs_told(soup), std::vector<std::string>{"decimal-commas count=2"});
+}
+
 TEST(ReadObj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal(kSquare + "f 1 2 99\n", "a.obj"),
             "bad-index place=line at=5 what=beyond index=99 vertices=4 first=1");
@@ -70,12 +126,12 @@ TEST(ReadObj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal(kSquare + "\nf -1 -2 -5\n", "a.obj"),
             "bad-index place=line at=6 what=before index=-5 vertices=4");
   EXPECT_EQ(refusal("v 0 0 nan\nf 1 1 1\n", "a.obj"), "not-finite place=line at=1 what=coordinate");
-  EXPECT_EQ(refusal("v 0 0 0\nv 1,5 0 0\n", "a.obj"),
-            "bad-number place=line at=2 what=comma word=1,5");
+  EXPECT_EQ(refusal("v 0 0 0\nv 1,5,5 0 0\nf 1 2 2\n", "a.obj"),
+            "bad-number place=line at=2 what=comma word=1,5,5");
   EXPECT_EQ(refusal("v 0 0 0\nv 1 2\n", "a.obj"), "truncated place=line at=2 what=coordinates");
   EXPECT_EQ(refusal(kSquare + "f 1 2 x\n", "a.obj"),
             "bad-number place=line at=5 what=whole word=x");
-  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2", "a.obj"), "truncated place=line at=6 what=face");
+  EXPECT_EQ(refusal(kSquare + "f 1 2", "a.obj"), "truncated place=line at=5 what=face");
 }
 
 TEST(ReadObj, RefusesPointsAndLinesAlone) {

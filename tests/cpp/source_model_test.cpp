@@ -28,6 +28,9 @@ TEST(ModelMemory, ReadsTheSameFilesOnce) {
   EXPECT_EQ(memory.read(files, {}), model);
   EXPECT_EQ(memory.read(files, {.parts = 3, .seed = 5}), model) << "they do not concern it";
   EXPECT_NE(memory.read(files, {.up = Up::kZ}), model);
+  EXPECT_NE(memory.read(files, {.up = Up::kZ}),
+            memory.read(files, {.up = Up::kZ, .fill_holes = 5}));
+  EXPECT_NE(memory.read(files, {}), memory.read(files, {.drop_inner = true}));
   EXPECT_NE(memory.read(files_of(obj_of(cube())), {.up = Up::kZ})->mesh.face_count(), 4);
 }
 

@@ -51,7 +51,7 @@ std::vector<Work> all_kinds_of_work() {
 CompactTask compact_task(FoldTree folds) {
   CompactTask compact{std::move(folds), {}, {}};
   compact.craft = {.scale = 12,
-                   .shape = {.height = 4, .least = 1.5, .angle = 0.9},
+                   .shape = {.height = 4, .least = 1.5, .angles = {0.9, 0.8}},
                    .weights = {.flaps = 1.1, .hull = 2, .necks = 0.4, .excess = 0.7},
                    .room = {150, 200},
                    .borders = {{3, 2.5}}};
@@ -148,7 +148,7 @@ TEST(Wire, CarriesEveryOptionOfTheMakingOfRoom) {
   EXPECT_EQ(compact.craft.scale, 12);
   EXPECT_EQ(compact.craft.shape.height, 4);
   EXPECT_EQ(compact.craft.shape.least, 1.5);
-  EXPECT_EQ(compact.craft.shape.angle, 0.9);
+  EXPECT_EQ(compact.craft.shape.angles, (std::array{0.9, 0.8}));
   EXPECT_EQ(compact.craft.weights.flaps, 1.1);
   EXPECT_EQ(compact.craft.weights.hull, 2);
   EXPECT_EQ(compact.craft.weights.necks, 0.4);

@@ -82,7 +82,6 @@ test('what was set for a model leaves with it, and a small model is unfolded at 
     expect(await page.locator('#check, #check-again').filter({ visible: true }).count()).toBe(0);
 
     // A number that a person writes stays, and is an answer already.
-    await page.getByText('More options').click();
     await page.fill('#faces', '300');
     await studio.choose('ring.obj', large);
     await studio.resultOf('ring');
@@ -133,6 +132,72 @@ test('tiny bodies are told before they are unfolded', () =>
     },
     { viewport: phone },
   ));
+
+/** A box of 40 with a hole of 2 in its top and a smaller box within; beside it one whose top is missing. */
+function boxesWithHoles(): string {
+  const [sides, bottom] = [cube.faces.slice(4), cube.faces.slice(0, 2)];
+  const hole = [
+    [19, 19, 40],
+    [21, 19, 40],
+    [21, 21, 40],
+    [19, 21, 40],
+  ];
+  const around = [0, 1, 2, 3].map((i) => [4 + i, 4 + ((i + 1) % 4), 8 + ((i + 1) % 4), 8 + i]);
+  const bodies = [
+    { vertices: [...cube.vertices, ...hole], faces: [...bottom, ...sides, ...around] },
+    { vertices: cube.vertices.map((point) => point.map((x) => 10 + x / 2)), faces: cube.faces },
+    {
+      vertices: cube.vertices.map(([x, ...rest]) => [x! + 80, ...rest]),
+      faces: [...bottom, ...sides],
+    },
+  ];
+  const offsets = [0, 12, 20];
+  return objText({
+    vertices: bodies.flatMap(({ vertices }) => vertices),
+    faces: bodies.flatMap(({ faces }, i) => faces.map((face) => face.map((v) => v + offsets[i]!))),
+  });
+}
+
+test('holes are closed and inner bodies left out where a person wants it, and seen before', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const [holes, inside] = [page.locator('#check-holes'), page.locator('#check-inside')];
+    const pressed = '[aria-pressed="true"]';
+    await studio.choose('boxes.obj', boxesWithHoles());
+    await holds(studio, 'boxes.obj');
+    expect(await page.locator('#check-holes-words').innerText()).toContain(
+      'The model has 2 holes. 1 of them is small',
+    );
+    expect(await inside.isVisible()).toBe(false);
+    await picturesHave(studio, 40, 40);
+    await studio.drawn('#model-picture');
+
+    // Once its hole is closed, the box has an inside.
+    await holes.getByRole('button', { name: 'close the small ones' }).click();
+    await picturesHave(studio, 42, 42);
+    expect(await page.locator('#fill-holes').inputValue()).toBe('10');
+    await inside.waitFor();
+    await studio.picture('check-inside');
+    await inside.getByRole('button', { name: 'leave out' }).click();
+    await picturesHave(studio, 30, 30);
+    await holes.getByRole('button', { name: 'close all' }).click();
+    await picturesHave(studio, 32, 32);
+    expect(await page.locator('#check-repaired').innerText()).toContain('2 holes were filled');
+    expect(await holes.locator(pressed).innerText()).toBe('close all');
+    expect(await inside.locator(pressed).innerText()).toBe('leave out');
+    await studio.picture('check-mended');
+
+    await page.locator('#check').getByRole('button', { name: 'Unfold' }).click();
+    await studio.resultOf('boxes');
+    expect(await trianglesOf(studio)).toBe('32');
+
+    // What was set for a model leaves with it.
+    await studio.chooseSample('Cube');
+    await studio.resultOf('cube');
+    expect(await page.locator('#fill-holes').inputValue()).toBe('off');
+    expect(await page.locator('#inside').inputValue()).toBe('keep');
+    expect(studio.complaints).toEqual([]);
+  }));
 
 test('who unfolds a model while it is looked at gets it as it is asked for', () =>
   withStudio(

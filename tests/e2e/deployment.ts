@@ -49,7 +49,7 @@ export class Deployment {
   }
 
   /** Puts a build in the place of this one that has no file with a hash in common with it. */
-  async replace(title: string): Promise<void> {
+  async replace(description: string): Promise<void> {
     const studio = join(this.folder, 'studio');
     const all = await readdir(studio, { recursive: true });
     const names = all.filter((name) => hashed.test(name) && !/icon|samples/.test(name));
@@ -62,7 +62,7 @@ export class Deployment {
       for (const base of bases) {
         content = content.replaceAll(base, next(base));
       }
-      content = content.replace(/<title>[^<]*/, `<title>${title}`);
+      content = content.replace(/(name="description"\s+content=")[^"]*/, `$1${description}`);
       content = content.replace(/"hash":"\w+"/, '"hash":"next"');
       await writeFile(join(studio, name), content);
     }

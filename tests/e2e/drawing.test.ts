@@ -53,8 +53,7 @@ test('without WebGL the page says so and does all the rest', () =>
       expect(studio.requests.some((address) => address.includes('model-scene'))).toBe(false);
       expect(studio.complaints).toEqual([]);
     },
-    // The service worker would bring all scripts for later.
-    { flags: ['--use-gl=disabled'], serviceWorkers: 'block' },
+    { flags: ['--use-gl=disabled'] },
   ));
 
 test('parts can be told apart by hatches', () =>

@@ -101,6 +101,7 @@ test('a seam is found by its number and its flap turned by the keyboard alone', 
     async (studio) => {
       const { page } = studio;
       const first = await open(studio);
+      await studio.showTab('Sheets');
       await find(page, '999');
       expect(await words(page).innerText()).toBe('No edge and no piece is called 999.');
       const number = await printedNumber(page);
@@ -108,8 +109,8 @@ test('a seam is found by its number and its flap turned by the keyboard alone', 
       const before = await words(page).innerText();
       expect(before).toMatch(new RegExp(`^Edge ${number}: glued to`));
       await studio.picture('edges-phone');
-      // Past the button of the field, the size of the sheets, and the first button of the card.
-      for (let i = 0; i < 4; ++i) await page.keyboard.press('Tab');
+      // Past the buttons of the field and of the way to paper, the tabs, and the first button of the card.
+      for (let i = 0; i < 5; ++i) await page.keyboard.press('Tab');
       const turn = page.getByRole('button', { name: 'Flap on the other side' });
       expect(await turn.evaluate((own) => own.matches(':focus'))).toBe(true);
       await page.keyboard.press('Enter');

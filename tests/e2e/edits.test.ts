@@ -115,7 +115,7 @@ test('a click on the model or on a sheet chooses a part', () =>
     await studio.drawn('#model-picture');
     const box = (await page.locator('#model-picture').boundingBox())!;
     // The ring is seen from the front, and as high as the picture allows: its tube is left of the middle.
-    const left = box.x + 0.5 * box.width - 0.27 * box.height;
+    const left = box.x + 0.5 * box.width - 0.27 * Math.min(box.width, box.height);
     await page.mouse.click(left, box.y + 0.5 * box.height);
     await expect.poll(() => chosen(page).then(({ length }) => length)).toBe(1);
     const [picked] = await chosen(page);
@@ -181,11 +181,14 @@ test('a change that is cancelled, or cannot be made, leaves the result as it was
     await part(page, 1).click();
     await press(page, 'Split this part');
     // At once: a click of the mouse waits until the button stands still, and the change goes on meanwhile.
-    await page.locator('#parts-card #cancel').dispatchEvent('click');
+    await page.locator('#status #cancel').waitFor();
+    await page.locator('#status #cancel').dispatchEvent('click');
     await page.locator('#progress').waitFor({ state: 'hidden' });
     expect(await page.locator('#result').getAttribute('data-hash')).toBe(first);
     expect(await chosen(page)).toEqual([1]);
-    expect(await page.locator('#announcement').innerText()).toBe('Cancelled. All is as it was.');
+    await expect
+      .poll(() => page.locator('#announcement').innerText())
+      .toBe('Cancelled. All is as it was.');
 
     await page.locator('#split-into').evaluate((field: HTMLInputElement) => (field.max = '100'));
     await page.fill('#split-into', '100');

@@ -4,6 +4,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Locator } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
+import { sharedBrowser } from './shared-browser.js';
 import { StudioPage, type BrowserOptions } from './studio-page.js';
 
 const built = fileURLToPath(new URL('../../dist/studio', import.meta.url));
@@ -52,7 +53,9 @@ export async function withElementPage(
   work: (studio: StudioPage) => Promise<void>,
 ): Promise<void> {
   const folder = await mkdtemp(join(tmpdir(), 'foldwright-site-'));
-  const other = apart ? await serve(built, 0, { 'access-control-allow-origin': '*' }) : null;
+  const other = apart
+    ? await serve(built, { headers: { 'access-control-allow-origin': '*' } })
+    : null;
   const script = `${other?.address ?? `../${vendor}/`}foldwright-studio.js`;
   const policy = other ? policyFor(new URL(other.address).origin) : '';
   const page = `<!doctype html><html lang="en"><title>A shop</title>${policy}
@@ -61,7 +64,7 @@ export async function withElementPage(
   await writeSite(folder, { 'shop/index.html': page, ...files });
   const server = await serve(folder);
   try {
-    const studio = await StudioPage.open(`${server.address}shop/`, options);
+    const studio = await StudioPage.open(`${server.address}shop/`, options, await sharedBrowser());
     await work(studio).finally(() => studio.close());
   } finally {
     server.close();
@@ -74,6 +77,7 @@ export async function withElementPage(
 export async function resultIn(studio: Locator, name: string): Promise<string> {
   await studio.locator('#result-title', { hasText: name }).waitFor({ timeout: 60_000 });
   await studio.locator('#progress').waitFor({ state: 'hidden', timeout: 60_000 });
+  await studio.locator('#sheets[aria-busy]').waitFor({ state: 'detached', timeout: 60_000 });
   return (await studio.locator('#result').getAttribute('data-hash')) ?? '';
 }
 

@@ -48,20 +48,20 @@ function hashUnderNode(): Promise<string> {
   });
 }
 
-test('two studios on a page run models of their own and give the results of the command line', () =>
+test('two studios on a page speak languages of their own, and give the results of the command line', () =>
   withElementPage({ markup: pair, files }, async ({ page, complaints }) => {
     const [one, two] = studios(page);
     const hash = await resultIn(one, 'ring');
     expect(hash).toBe(await hashUnderNode());
     expect(await two.locator('#result').isVisible()).toBe(false);
     expect(await two.locator('#chosen').innerText()).toBe(
-      'GLB, OBJ, STL, 3MF, PLY, OFF, PDO or ZIP',
+      'GLB, OBJ, STL, 3MF, PLY, OFF, PDO, FOLD or ZIP',
     );
 
     await chooseSample(two, 'House');
     expect(await resultIn(two, 'house')).not.toBe(hash);
     expect(await one.locator('#result').getAttribute('data-hash')).toBe(hash);
-    expect(await one.locator('#chosen').innerText()).toBe('Chosen: ring.obj');
+    expect(await one.locator('#chosen').innerText()).toBe('Gewählt: ring.obj');
     expect(await one.locator('.sample[aria-pressed="true"]').count()).toBe(0);
 
     // Another model and other fields, by their attributes.
@@ -78,7 +78,7 @@ test('two studios on a page run models of their own and give the results of the 
     expect(await one.locator('#parts').inputValue()).toBe('');
     expect(await two.locator('#paper').inputValue()).toBe('A4');
     await one.evaluate((studio) => studio.setAttribute('src', 'nothing.obj'));
-    await one.locator('#message', { hasText: '“nothing.obj” cannot be loaded' }).waitFor();
+    await one.locator('#message', { hasText: '„nothing.obj“ lässt sich nicht laden' }).waitFor();
     expect(await two.locator('#message').isVisible()).toBe(false);
     expect(complaints.filter((words) => !words.includes('404'))).toEqual([]);
   }));
@@ -191,7 +191,7 @@ test('a studio that is removed ends its run and frees its workers, and comes bac
       page.workers().map((worker) => /\/([a-z-]+)-[^/]*$/.exec(worker.url())![1]!);
     const count = (kind: string): number => kinds().filter((name) => name === kind).length;
     await expect.poll(() => count('model-worker')).toBe(2);
-    expect(count('picture-worker')).toBe(4);
+    await expect.poll(() => count('picture-worker')).toBe(6);
 
     // An element that only changes its place keeps what it has.
     await page.evaluate(() =>
@@ -202,7 +202,7 @@ test('a studio that is removed ends its run and frees its workers, and comes bac
     await beginLongRun(one);
     await page.evaluate(() => document.querySelector('#one')!.remove());
     await expect.poll(() => count('model-worker')).toBe(1);
-    await expect.poll(() => count('picture-worker')).toBe(2);
+    await expect.poll(() => count('picture-worker')).toBe(3);
     await expect.poll(() => count('writer-worker')).toBe(1);
     // The engine's workers are there for the other one.
     await chooseSample(two, 'Cube');

@@ -3,12 +3,9 @@ import UPNG from '@pdf-lib/upng';
 import { expect, test } from 'vitest';
 import { objText, wavyRing } from '../web/model-text.js';
 import { useStudio } from './studio-fixture.js';
-import type { BrowserOptions, StudioPage } from './studio-page.js';
+import type { StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
-
-/** Requests must reach the test. */
-const unkept: BrowserOptions = { serviceWorkers: 'block' };
 
 async function nextRunWorks(studio: StudioPage): Promise<void> {
   await studio.chooseSample('House');
@@ -57,7 +54,9 @@ test('a run that fails after a result leaves all of that result', () =>
     expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
     expect(await page.locator('#result-title').innerText()).toBe('ring');
     expect(await page.locator('#result #model-name').innerText()).toBe('ring.obj');
-    expect(await page.locator('#result #pictures').count()).toBe(1);
+    expect(await page.locator('#result-pictures #pictures').count()).toBe(1);
+    // The words lie over the upper end of the picture.
+    await page.locator('#message-close').click();
     await expect
       .poll(
         async () =>
@@ -77,7 +76,7 @@ test('an empty file, two models and a strange file are refused', () =>
     const { page } = studio;
     const isRefused = async (): Promise<void> => {
       expect(await page.locator('#chosen').innerText()).toBe(
-        'GLB, OBJ, STL, 3MF, PLY, OFF, PDO or ZIP',
+        'GLB, OBJ, STL, 3MF, PLY, OFF, PDO, FOLD or ZIP',
       );
       expect(await page.locator('#unfold').isDisabled()).toBe(true);
     };
@@ -140,7 +139,7 @@ test('a worker that dies is replaced', () =>
     expect(await studio.message()).toContain('stopped unexpectedly');
     await page.context().unroute('**/*.wasm');
     await nextRunWorks(studio);
-  }, unkept));
+  }));
 
 test('sheets that cannot be drawn are told of', () =>
   withStudio(async (studio) => {
@@ -151,7 +150,7 @@ test('sheets that cannot be drawn are told of', () =>
     expect(await page.locator('#progress').isVisible()).toBe(false);
     await page.context().unroute('**/writer-worker*');
     await nextRunWorks(studio);
-  }, unkept));
+  }));
 
 test('a browser without SIMD is told which one to use', () =>
   withStudio(
@@ -166,7 +165,10 @@ test('a number of parts that makes no sense is pointed out', () =>
   withStudio(async (studio) => {
     await studio.page.fill('#parts', '0');
     await studio.chooseSample('Cube');
-    expect(await studio.page.locator('#parts').getAttribute('aria-invalid')).toBe('true');
+    // It is looked at when the sample has come.
+    const isInvalid = (): Promise<string | null> =>
+      studio.page.locator('#parts').getAttribute('aria-invalid');
+    await expect.poll(isInvalid).toBe('true');
     expect(await studio.page.locator('#progress').isVisible()).toBe(false);
     await studio.page.fill('#parts', '');
     await nextRunWorks(studio);

@@ -20,7 +20,7 @@ test('the nets of a file are offered, kept, and left again', () =>
     await studio.picture('file-nets');
     await check.getByRole('button', { name: 'Unfold' }).click();
     const hash = await studio.resultOf('box');
-    const result = page.locator('#result');
+    const result = page.locator('#result-side');
     expect(await result.innerText()).toContain(
       'The 2 nets of the file were kept, at the size of the file.',
     );

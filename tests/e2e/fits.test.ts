@@ -1,11 +1,21 @@
 /** No option, word or control is cut off, however wide the window is. */
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
+import { languages } from '../../web/model/languages.js';
+import { loadWords } from '../../web/words/load.js';
 import { objText, wavyRing } from '../web/model-text.js';
+import { inLanguage } from './languages.js';
 import { useStudio } from './studio-fixture.js';
+import { desktop } from './studio-page.js';
 
 const withStudio = useStudio();
 const widths = [390, 768, 1366, 1440, 2560];
+
+/** Languages with longer words are looked at on a phone and on a usual screen. */
+const cases = languages.map((language) => ({
+  language,
+  widths: language === 'en' ? widths : [390, 1366],
+}));
 
 /** One line for each control that is wider than its place, or shows less than it holds. */
 function cutOff(page: Page): Promise<string[]> {
@@ -53,43 +63,71 @@ function cutOff(page: Page): Promise<string[]> {
   });
 }
 
-test.each(widths)('every option is to be read in a window %i px wide', (width) =>
+/** Every width is looked at with the same result: a run of its own would show no more. */
+async function atEach(
+  widths: readonly number[],
+  page: Page,
+  look: (width: number) => Promise<void>,
+): Promise<void> {
+  for (const width of widths) {
+    await page.setViewportSize({ width, height: 900 });
+    await look(width);
+  }
+}
+
+/** What is cut off is told a moment after the window has another size. */
+function expectFit(page: Page, where: string | number): Promise<void> {
+  return expect
+    .poll(async () => [where, ...(await cutOff(page))], { interval: 100 })
+    .toEqual([where]);
+}
+
+/** The list of parts shows its last row. */
+async function expectAllParts(page: Page): Promise<void> {
+  const hidden = (): Promise<number> =>
+    page.locator('#parts-list').evaluate((list) => list.scrollHeight - list.clientHeight);
+  await expect.poll(hidden).toBe(0);
+  const list = (await page.locator('#parts-list').boundingBox())!;
+  const last = (await page.locator('.part-row').last().boundingBox())!;
+  expect(last.y + last.height).toBeLessThanOrEqual(list.y + list.height);
+}
+
+test.each(cases)('every option and every part is to be read: $language', ({ language, widths }) =>
   withStudio(
     async (studio) => {
       const { page } = studio;
-      await page.getByText('More options').click();
-      for (const sizing of ['scale', 'sheets', 'height']) {
-        await page.selectOption('#sizing', sizing);
-        expect([sizing, await cutOff(page)]).toEqual([sizing, []]);
-      }
+      const { page: words } = await loadWords(language);
+      await atEach(widths, page, async (width) => {
+        for (const sizing of ['scale', 'sheets', 'height']) {
+          await page.selectOption('#sizing', sizing);
+          await expectFit(page, `${width} ${sizing}`);
+        }
+      });
       await page.selectOption('#sizing', 'fit');
       await page.fill('#parts', '14');
       await studio.choose('ring.obj', objText(wavyRing(12)));
       await studio.resultOf('ring');
-      await page.getByText('Colours, widths and dashes').click();
-      await page.getByText('How to fold and glue it').click();
-      expect(await cutOff(page)).toEqual([]);
+      await page.getByText(words.look.lines).click();
+      await page.getByText(words.steps.title).click();
+      await page.locator('.step').first().waitFor();
+      await atEach(widths, page, async (width) => {
+        await expectFit(page, width);
+        if (width >= 900) return;
+        for (const tab of ['sheets', 'build', 'save', 'model']) {
+          await page.click(`#tabs [data-tab=${tab}]`);
+          await expectFit(page, `${width} ${tab}`);
+        }
+      });
+      await page.setViewportSize(desktop);
+      await expectAllParts(page);
       await page.locator('.part').first().click();
       await page.selectOption('#paper', 'Tabloid');
-      expect(await cutOff(page)).toEqual([]);
-      await studio.picture(`fits-${width}`);
+      await atEach(widths, page, async (width) => {
+        await expectFit(page, width);
+        await studio.picture(`fits-${language}-${width}`);
+      });
       expect(studio.complaints).toEqual([]);
     },
-    { viewport: { width, height: 900 } },
+    { viewport: { width: widths.at(-1)!, height: 900 }, script: inLanguage(language) },
   ),
 );
-
-test('the list of parts shows its last row', () =>
-  withStudio(async (studio) => {
-    const { page } = studio;
-    await page.fill('#parts', '14');
-    await studio.choose('ring.obj', objText(wavyRing(12)));
-    await studio.resultOf('ring');
-    const hidden = await page
-      .locator('#parts-list')
-      .evaluate((list) => list.scrollHeight - list.clientHeight);
-    expect(hidden).toBe(0);
-    const list = (await page.locator('#parts-list').boundingBox())!;
-    const last = (await page.locator('.part-row').last().boundingBox())!;
-    expect(last.y + last.height).toBeLessThanOrEqual(list.y + list.height);
-  }));

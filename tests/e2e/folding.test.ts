@@ -64,7 +64,9 @@ test('keys move the slider and press the button', () =>
     expect(await slider(page).getAttribute('aria-valuetext')).toBe('flat');
     await page.keyboard.press('ArrowRight');
     expect(await slider(page).getAttribute('aria-valuetext')).toMatch(/^folded by \d %$/);
-    await page.keyboard.press('Shift+Tab');
+    // Past the button that goes one step back.
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
     await page.keyboard.press('Space');
     await page.getByRole('button', { name: 'Pause', exact: true }).waitFor();
     await expect
@@ -125,6 +127,78 @@ test('steps point at what they are about', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('ticks, keys and buttons lead from step to step', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio);
+    const words = page.locator('#folding-words');
+    const heard = async (act: () => Promise<void>): Promise<string> => {
+      await act();
+      return words.innerText();
+    };
+    const [back, on] = [page.locator('#folding-back'), page.locator('#folding-on')];
+    const inPlace = /^piece [AB] is in place$/;
+    expect(await heard(() => back.click())).toMatch(inPlace);
+    expect(await heard(() => back.click())).toBe('folded');
+    expect(await heard(() => back.click())).toBe('flat');
+    expect(await back.getAttribute('aria-disabled')).toBe('true');
+    expect(await heard(() => back.press('Enter'))).toBe('flat');
+    await slider(page).focus();
+    expect(await heard(() => page.keyboard.press('PageUp'))).toBe('folded');
+    expect(await heard(() => page.keyboard.press('PageUp'))).toMatch(inPlace);
+    expect(await heard(() => page.keyboard.press('PageDown'))).toBe('folded');
+    expect(await heard(() => on.click())).toMatch(inPlace);
+    const ticks = page.locator('.folding__tick');
+    expect(await ticks.count()).toBe(4);
+    expect(await page.locator('.folding__tick[data-done]').count()).toBe(3);
+    const row = (await page.locator('#folding-ticks').boundingBox())!;
+    const second = (await ticks.nth(1).boundingBox())!;
+    // Beside the tick is near enough.
+    const position = { x: second.x - row.x - 6, y: row.height / 2 };
+    expect(await heard(() => page.locator('#folding-ticks').click({ position }))).toBe('folded');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('steps are ticked off one by one, and that survives a reload', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const tick = (name: string) => page.getByRole('checkbox', { name: `Piece ${name} is done` });
+    await open(studio);
+    await page.getByText('How to fold and glue it').click();
+    await tick('A').check();
+    expect(await page.locator('#steps-count').innerText()).toBe('1 of 2 done');
+    await page.reload();
+    await page.locator('.sample').first().waitFor();
+    await studio.unfoldSettings();
+    await open(studio);
+    expect(await page.locator('#steps-count').innerText()).toBe('1 of 2 done');
+    await page.getByText('How to fold and glue it').click();
+    expect([await tick('A').isChecked(), await tick('B').isChecked()]).toEqual([true, false]);
+    // Another result has steps of its own.
+    await open(studio, 'House');
+    expect(await page.locator('#steps-count').innerText()).toBe('');
+    await open(studio);
+    await tick('A').uncheck();
+    expect(await page.locator('#steps-count').innerText()).toBe('');
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a step is marked on the model, too', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await open(studio);
+    const model = await restingPicture(studio);
+    await page.getByText('How to fold and glue it').click();
+    // The last one leads to the whole model.
+    await page.locator('.step').last().click();
+    expect(await slider(page).inputValue()).toBe('1');
+    const marked = await restingPicture(studio);
+    expect(marked).not.toBe(model);
+    await page.locator('.step').last().click();
+    expect(await restingPicture(studio)).toBe(model);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('the animation can be taken along', () =>
   withStudio(async (studio) => {
     await open(studio);
@@ -137,7 +211,6 @@ test('the animation can be taken along', () =>
 test('pieces whose motion nobody looked for are shown with a warning', () =>
   withStudio(async (studio) => {
     const { page } = studio;
-    await page.getByText('More options').click();
     await page.selectOption('#folding-mode', 'off');
     await open(studio, 'House');
     await page.getByText('faces may pass through each other').waitFor();

@@ -41,7 +41,7 @@ test('a dropped GLB gives sheets, the same as by the command line', async () => 
     expect(await studio.resultOf('ring')).toBe(await hashByCommand('ring.glb', bytes));
     expect(await studio.page.locator('#chosen').innerText()).toBe('Chosen: ring.glb');
     expect(await studio.page.locator('#sheets svg').count()).toBeGreaterThan(0);
-    expect(await studio.page.locator('#result').innerText()).toMatch(/not used: 1 animation/i);
+    expect(await studio.page.locator('#result-side').innerText()).toMatch(/not used: 1 animation/i);
     expect((await studio.download('FOLD')).name).toBe('ring.fold');
     // Nothing of it is loaded before it is needed.
     expect(before).toEqual([]);

@@ -1,94 +1,102 @@
 /** Pictures of the page for people, and the rules of accessibility that a program can check. */
-import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
-import type { AxeResults } from 'axe-core';
-import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { objText, wavyRing } from '../web/model-text.js';
+import { barriers } from './barriers.js';
 import { useStudio } from './studio-fixture.js';
-import { desktop, phone } from './studio-page.js';
+import { desktop, phone, type StudioPage } from './studio-page.js';
 
 const withStudio = useStudio();
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
-/** One line for each rule that the page breaks now. */
-async function barriers(page: Page): Promise<string[]> {
-  // Evaluated by the debugger: the page's own policy lets no foreign script in.
-  await page.evaluate(await readFile(axe, 'utf8'));
-  const { violations } = await page.evaluate(() =>
-    (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run(),
-  );
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-}
+/** Ms for all states of the page: each is drawn, and searched for barriers, in each of the colours. */
+const patience = 300_000;
 
+/** Windows, and what their pictures are called in light and in dark colours. */
 const views = [
-  { name: 'desktop', viewport: desktop, colorScheme: 'light' },
-  { name: 'dark', viewport: desktop, colorScheme: 'dark' },
-  { name: 'phone', viewport: phone, colorScheme: 'light' },
+  { viewport: desktop, schemes: { light: 'desktop', dark: 'dark' } },
+  { viewport: phone, schemes: { light: 'phone' } },
 ] as const;
 
-test.each(views)('the page is accessible and fits: $name', ({ name, ...options }) =>
-  withStudio(async (studio) => {
-    const { page } = studio;
-    await studio.picture(`${name}-1-before`);
-    expect(await barriers(page)).toEqual([]);
+/** Looks at the page as it is now, in each of the colours. */
+async function look(studio: StudioPage, schemes: object, state: string): Promise<void> {
+  const { page } = studio;
+  for (const [colorScheme, name] of Object.entries(schemes) as ['light' | 'dark', string][]) {
+    await page.emulateMedia({ colorScheme });
+    await studio.picture(`${name}-${state}`);
+    expect([name, state, ...(await barriers(page))]).toEqual([name, state]);
+  }
+}
 
-    // Long enough to be looked at, and not to be filled in: it is folded away.
-    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '60000'));
-    await studio.chooseSample('Cat');
-    for (const picture of ['#model-picture', '#matrix']) await studio.drawn(picture);
-    await studio.picture(`${name}-2-learning`);
-    expect(await barriers(page)).toEqual([]);
+test.each(views)(
+  'the page is accessible and fits: $schemes.light',
+  ({ viewport, schemes }) =>
+    withStudio(
+      async (studio) => {
+        const { page } = studio;
+        const isSmall = viewport === phone;
+        const lookAt = (state: string): Promise<void> => look(studio, schemes, state);
+        await lookAt('1-before');
 
-    await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = ''));
-    // In one part the search goes on long enough for both of its pictures to be looked at.
-    await page.fill('#parts', '1');
-    await page.selectOption('#solver', 'genetic');
-    await page.locator('#unfold').click();
-    await page.locator('#net-words', { hasText: 'generation' }).waitFor();
-    for (const picture of ['#net', '#chart']) await studio.drawn(picture);
-    await studio.picture(`${name}-3-searching`);
-    expect(await barriers(page)).toEqual([]);
+        await studio.unfoldSettings();
+        // Long enough to be looked at, and not to be filled in: it is folded away.
+        await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = '60000'));
+        await studio.chooseSample('Cat');
+        await page.locator('#how summary').click();
+        for (const picture of ['#model-picture', '#matrix']) await studio.drawn(picture);
+        await lookAt('2-learning');
 
-    await page.fill('#parts', '4');
-    await page.selectOption('#solver', 'tree');
-    await studio.chooseSample('Whale');
-    await studio.resultOf('whale');
-    await studio.drawn('#model-picture');
-    await studio.picture(`${name}-4-after`);
-    expect(await barriers(page)).toEqual([]);
+        await page.locator('#runs').evaluate((field: HTMLInputElement) => (field.value = ''));
+        // In one part the search goes on long enough for both of its pictures to be looked at.
+        await page.fill('#parts', '1');
+        await page.selectOption('#solver', 'genetic');
+        await page.locator('#unfold').click();
+        await page.locator('#net-words', { hasText: 'generation' }).waitFor();
+        for (const picture of ['#net', '#chart']) await studio.drawn(picture);
+        await lookAt('3-searching');
 
-    await page.locator('.part').first().click();
-    await studio.picture(`${name}-6-parts`);
-    expect(await barriers(page)).toEqual([]);
-    await page.locator('.part').first().click();
+        await page.fill('#parts', '4');
+        await page.selectOption('#solver', 'tree');
+        await studio.chooseSample('Whale');
+        await studio.resultOf('whale');
+        await studio.drawn('#model-picture');
+        await lookAt('4-after');
 
-    await page.getByText('How to fold and glue it').click();
-    await page.locator('.step').nth(1).click();
-    await studio.picture(`${name}-5-steps`);
-    expect(await barriers(page)).toEqual([]);
+        await page.locator('.part').first().click();
+        await lookAt('6-parts');
+        await page.locator('.part').first().click();
 
-    await page.fill('#edge-number', '1');
-    await page.locator('#edge-number').press('Enter');
-    await page.locator('#edge-card').waitFor();
-    await studio.picture(`${name}-8-edge`);
-    expect(await barriers(page)).toEqual([]);
+        if (isSmall) await studio.showTab('Build');
+        else await page.getByText('How to fold and glue it').click();
+        await page.locator('.step').nth(1).click();
+        await lookAt('5-steps');
 
-    await page.fill('#edge-number', 'B');
-    await page.locator('#edge-number').press('Enter');
-    await page.locator('#piece-card summary').click();
-    await studio.picture(`${name}-9-piece`);
-    expect(await barriers(page)).toEqual([]);
+        if (isSmall) await studio.showTab('Sheets');
+        await page.fill('#edge-number', '1');
+        await page.locator('#edge-number').press('Enter');
+        await page.locator('#edge-card').waitFor();
+        await lookAt('8-edge');
 
-    await studio.choose('ring.obj', objText(wavyRing(34)));
-    await page.locator('#check-look', { hasText: 'The picture has 1' }).waitFor();
-    await page.getByRole('button', { name: '20 cm', exact: true }).click();
-    await studio.picture(`${name}-7-check`);
-    expect(await barriers(page)).toEqual([]);
-    const overflow = await page.evaluate(
-      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-    );
-    expect(overflow).toBe(0);
-    expect(studio.complaints).toEqual([]);
-  }, options),
+        await page.fill('#edge-number', 'B');
+        await page.locator('#edge-number').press('Enter');
+        await page.locator('#piece-card summary').click();
+        await lookAt('9-piece');
+
+        await page.keyboard.press('Escape');
+        await page.locator('#print-open').click();
+        await page.locator('.print-page').first().waitFor();
+        await lookAt('10-print');
+        await page.keyboard.press('Escape');
+
+        await studio.choose('ring.obj', objText(wavyRing(34)));
+        await page.locator('#check-look', { hasText: 'The picture has 1' }).waitFor();
+        await page.getByRole('button', { name: '20 cm', exact: true }).click();
+        await lookAt('7-check');
+        const overflow = await page.evaluate(
+          () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+        );
+        expect(overflow).toBe(0);
+        expect(studio.complaints).toEqual([]);
+      },
+      { viewport, folded: true, serviceWorkers: 'allow' },
+    ),
+  patience,
 );

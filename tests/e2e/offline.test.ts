@@ -1,6 +1,8 @@
 /** After one visit everything works without a server, and an open page survives a new deployment. */
+import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { Deployment } from './deployment.js';
+import { sharedBrowser } from './shared-browser.js';
 import { StudioPage } from './studio-page.js';
 
 const formats = [
@@ -11,7 +13,7 @@ const formats = [
   'FOLD',
   'Folding animation (GLB)',
 ];
-const nextTitle = 'The next build';
+const nextBuild = 'The next build';
 
 async function withDeployment(
   work: (studio: StudioPage, deployment: Deployment) => Promise<void>,
@@ -20,7 +22,11 @@ async function withDeployment(
   const deployment = await Deployment.start();
   try {
     if (missing) await deployment.lose(missing);
-    const studio = await StudioPage.open(deployment.address);
+    const studio = await StudioPage.open(
+      deployment.address,
+      { serviceWorkers: 'allow' },
+      await sharedBrowser(),
+    );
     try {
       await work(studio, deployment);
     } finally {
@@ -57,11 +63,19 @@ function nextBuildWaits({ page }: StudioPage): Promise<void> {
 }
 
 /** Loads the page anew, waits a while for the next build to take over, and says whose page it is. */
-async function titleAfterReload({ page }: StudioPage): Promise<string> {
+async function buildAfterReload({ page }: StudioPage): Promise<string> {
   await page.reload();
-  const isNext = (title: string): boolean => document.title === title;
-  await page.waitForFunction(isNext, nextTitle, { timeout: 10_000 }).catch(() => undefined);
-  return page.title();
+  const isNext = (build: string): boolean =>
+    document.querySelector<HTMLMetaElement>('meta[name="description"]')!.content === build;
+  await page.waitForFunction(isNext, nextBuild, { timeout: 10_000 }).catch(() => undefined);
+  return buildOf(page);
+}
+
+/** By its description, which no script changes. */
+function buildOf(page: Page): Promise<string> {
+  return page
+    .locator('meta[name="description"]')
+    .evaluate((element: HTMLMetaElement) => element.content);
 }
 
 const cacheCount = ({ page }: StudioPage): Promise<number> =>
@@ -114,7 +128,7 @@ test('an open page of a first visit goes on after a new deployment', () =>
     await studio.chooseSample('House');
     await studio.resultOf('house');
     await studio.keptOffline();
-    await deployment.replace(nextTitle);
+    await deployment.replace(nextBuild);
     expect(await downloads(studio)).toEqual(realFiles);
     await nextBuildWaits(studio);
     await studio.chooseSample('Heart');
@@ -127,23 +141,23 @@ test('a new deployment takes over when the only page is loaded anew', () =>
   withDeployment(async (studio, deployment) => {
     const { page } = studio;
     await studio.keptOffline();
-    const title = await page.title();
-    await deployment.replace(nextTitle);
+    const build = await buildOf(page);
+    await deployment.replace(nextBuild);
     await nextBuildWaits(studio);
     expect(await cacheCount(studio)).toBe(2);
 
     // Of two pages neither may lose its files.
     const other = await page.context().newPage();
     await other.goto(deployment.address);
-    expect(await other.title()).toBe(title);
+    expect(await buildOf(other)).toBe(build);
     await page.reload();
-    expect(await page.title()).toBe(title);
+    expect(await buildOf(page)).toBe(build);
     await other.close();
 
     // Once is enough, unless the browser counts the closed page for longer than the new one asks.
     await expect
-      .poll(() => titleAfterReload(studio), { timeout: 60_000, interval: 100 })
-      .toBe(nextTitle);
+      .poll(() => buildAfterReload(studio), { timeout: 60_000, interval: 100 })
+      .toBe(nextBuild);
     await page.locator('.sample').first().waitFor();
     await expect.poll(() => cacheCount(studio), patience).toBe(1);
     deployment.stop();
@@ -151,6 +165,29 @@ test('a new deployment takes over when the only page is loaded anew', () =>
     await studio.chooseSample('Cube');
     await studio.resultOf('cube');
     expect(await downloads(studio)).toEqual(realFiles);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('only a page of the build that serves drops the files of others', () =>
+  withDeployment(async (studio) => {
+    const { page } = studio;
+    await studio.keptOffline();
+    const before = (): Promise<boolean> =>
+      page.evaluate(async (build) => {
+        const { scope } = (await navigator.serviceWorker.getRegistration())!;
+        return caches.has(`foldwright ${scope} ${build}`);
+      }, 'before');
+    const complete = (file: string): Promise<void> =>
+      page.evaluate(async (name) => {
+        const { scope, active } = (await navigator.serviceWorker.getRegistration())!;
+        await caches.open(`foldwright ${scope} before`);
+        active!.postMessage({ completePage: `${scope}${name}` });
+      }, file);
+    await complete('assets/app-before.js');
+    await page.waitForTimeout(500);
+    expect(await before()).toBe(true);
+    await page.reload();
+    await expect.poll(before, patience).toBe(false);
     expect(studio.complaints).toEqual([]);
   }));
 

@@ -1,8 +1,9 @@
 import { stages } from '../../web/model/stages.js';
+import { english } from '../../web/words/en/index.js';
 import type { StudioPage } from './studio-page.js';
 
 /** Words with which the progress of a stage begins, in the order of the stages. */
-export const stageWords = stages.map(({ words }) => words);
+export const stageWords = stages.map((stage) => english.run.stages[stage]);
 
 /**
  * Cancels the next run as soon as the words of a stage appear. Resolves, once such a run has been
@@ -93,7 +94,8 @@ export function drawingsPerSecond(studio: StudioPage): Promise<number> {
   return studio.page.evaluate(async () => {
     let drawings = 0;
     const observer = new MutationObserver(() => ++drawings);
-    observer.observe(document.querySelector('#chart')!, { childList: true });
+    const { shadowRoot } = document.querySelector('foldwright-studio')!;
+    observer.observe(shadowRoot!.querySelector('#chart')!, { childList: true });
     const start = performance.now();
     await new Promise((done) => setTimeout(done, 3000));
     observer.disconnect();

@@ -136,7 +136,8 @@ test('a piece is dragged on its sheet and to another one, and refused where it c
     const [u, v] = await pointInside(page, piece('B'));
     await page.mouse.move(u, v);
     await page.mouse.down();
-    await page.mouse.move(u - 400, v, { steps: 4 });
+    const paper = (await page.locator('.sheet').nth(1).locator('svg').boundingBox())!;
+    await page.mouse.move(u, paper.y + 1, { steps: 4 });
     await page.locator('.ghost--refused').waitFor();
     await studio.picture('pieces-refused');
     await page.mouse.up();
@@ -201,8 +202,8 @@ test('the keyboard alone walks the pieces, moves and turns one, and lets it go a
     await open(studio);
     const first = await toNewSheet(studio, 'C');
     await page.keyboard.press('Escape');
-    // From the field past its button and the size of the sheets.
-    await page.locator('#edge-number').focus();
+    // From the size of the sheets past the buttons that fit them.
+    await page.locator('#zoom').focus();
     for (let i = 0; i < 3; ++i) await page.keyboard.press('Tab');
     expect(await page.locator('#sheets').evaluate((own) => own.matches(':focus'))).toBe(true);
     await page.keyboard.press('ArrowRight');
@@ -215,14 +216,14 @@ test('the keyboard alone walks the pieces, moves and turns one, and lets it go a
     await page.keyboard.press('Enter');
     expect(await words(page)).toMatch(/^Piece C: .* sheet 2,/);
     const before = await boxes(page);
-    // Several steps are one change.
-    await page.keyboard.press('Shift+ArrowRight');
-    await page.keyboard.press('ArrowRight');
+    // Several steps are one change; to the left, since it may have come from the right edge of its sheet.
+    await page.keyboard.press('Shift+ArrowLeft');
+    await page.keyboard.press('ArrowLeft');
     await page.keyboard.press('Shift+ArrowDown');
     const moved = await changed(studio, first);
     const after = await boxes(page);
     const [, fromX, fromY] = before['C']!;
-    expect(after['C']).toEqual([1, fromX + 11, fromY + 10]);
+    expect(after['C']).toEqual([1, fromX - 11, fromY + 10]);
     expect(await undo(page)).toBe('Undo: moved C');
     expect(await page.locator('#piece-card').evaluate((own) => own.matches(':focus-within'))).toBe(
       true,
@@ -307,6 +308,7 @@ test('a finger chooses a piece by a tap and then drags it, while the page stands
     async (studio) => {
       const { page } = studio;
       await open(studio);
+      await studio.showTab('Sheets');
       const first = await toNewSheet(studio, 'B');
       await page.keyboard.press('Escape');
       const [x, y] = await pointInside(page, piece('B'));
@@ -342,8 +344,9 @@ test('the model and the sheets light each other’s pieces', () =>
     await studio.resultOf('ring');
     await studio.drawn('#model-picture');
     const box = (await page.locator('#model-picture').boundingBox())!;
-    // The ring is seen from the front, and as high as the picture allows: its tube is left of the middle.
-    const [x, y] = [box.x + 0.5 * box.width - 0.27 * box.height, box.y + 0.5 * box.height];
+    // The ring is seen from the front, and as large as the picture allows: its tube is left of the middle.
+    const side = Math.min(box.width, box.height);
+    const [x, y] = [box.x + 0.5 * box.width - 0.27 * side, box.y + 0.5 * box.height];
     await page.mouse.move(x, y);
     await page.locator('[data-pointed]').waitFor();
     const name = (await page.locator('[data-pointed]').getAttribute('data-area'))!;

@@ -11,11 +11,13 @@ const withStudio = useStudio();
 const ring = objText(wavyRing(20));
 const parts = '4';
 
-async function reopen({ page }: StudioPage, workers: number): Promise<void> {
+async function reopen(studio: StudioPage, workers: number): Promise<void> {
+  const { page } = studio;
   const address = new URL(page.url());
   address.search = `workers=${workers}`;
   await page.goto(address.href);
   await page.locator('.sample').first().waitFor();
+  await studio.unfoldSettings();
 }
 
 /** The hash of the command line's result for the ring. */

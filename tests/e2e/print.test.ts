@@ -232,6 +232,7 @@ test('a measured printer is corrected, said so, and remembered', () =>
 
     await page.reload();
     await page.locator('.sample').first().waitFor();
+    await studio.unfoldSettings();
     await unfold(studio, 'again');
     await page.locator('#measured-badge').waitFor();
     await page.click('#measured-reset');
@@ -243,24 +244,20 @@ test('a measured printer is corrected, said so, and remembered', () =>
   }));
 
 test('fonts come only when letters need them', () =>
-  withStudio(
-    // The service worker would bring all of them for later.
-    async (studio) => {
-      await unfold(studio, 'house');
-      expect(fontsOf(studio)).toEqual([]);
-      await studio.download('PDF');
-      expect(fontsOf(studio)).toHaveLength(1);
+  withStudio(async (studio) => {
+    await unfold(studio, 'house');
+    expect(fontsOf(studio)).toEqual([]);
+    await studio.download('PDF');
+    expect(fontsOf(studio)).toHaveLength(1);
 
-      await unfold(studio, '折り紙 🐳');
-      expect(fontsOf(studio).some((name) => name.includes('biz-udpgothic'))).toBe(true);
-      expect(fontsOf(studio).length).toBeLessThan(6);
-      expect(await studio.page.locator('#remarks').innerText()).toContain('No font has 🐳');
-      const outlines = studio.page.locator('.sheet [data-text="折り紙 🐳"]');
-      expect(await outlines.count()).toBeGreaterThan(0);
-      const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
-      expect(pages[0]!.texts.map(({ text }) => text).join('')).toContain('折り紙');
-      await studio.picture('print-2-japanese');
-      expect(studio.complaints).toEqual([]);
-    },
-    { serviceWorkers: 'block' },
-  ));
+    await unfold(studio, '折り紙 🐳');
+    expect(fontsOf(studio).some((name) => name.includes('biz-udpgothic'))).toBe(true);
+    expect(fontsOf(studio).length).toBeLessThan(6);
+    expect(await studio.page.locator('#remarks').innerText()).toContain('No font has 🐳');
+    const outlines = studio.page.locator('.sheet [data-text="折り紙 🐳"]');
+    expect(await outlines.count()).toBeGreaterThan(0);
+    const { pages } = await readPdf(new Uint8Array((await studio.download('PDF')).bytes));
+    expect(pages[0]!.texts.map(({ text }) => text).join('')).toContain('折り紙');
+    await studio.picture('print-2-japanese');
+    expect(studio.complaints).toEqual([]);
+  }));

@@ -1,27 +1,13 @@
 /** Chromium and node give the same bits for the same file and options. */
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { unzipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import { foldwright, inFolder } from '../web/command.js';
 import { objText, wavyRing } from '../web/model-text.js';
+import { filesOf, type SavedFile } from './saved-files.js';
 import { useStudio } from './studio-fixture.js';
 
 const withStudio = useStudio();
-
-interface Saved {
-  name: string;
-  bytes: Uint8Array;
-}
-
-/** The files of a download, which may be an archive of several. */
-function filesOf({ name, bytes }: Saved): Saved[] {
-  if (!name.endsWith('.zip')) return [{ name, bytes }];
-  return Object.entries(unzipSync(bytes)).map(([entry, content]) => ({
-    name: entry,
-    bytes: content,
-  }));
-}
 
 test('the files and the result hash of the browser are those of the command line', () =>
   inFolder((folder) =>
@@ -31,7 +17,7 @@ test('the files and the result hash of the browser are those of the command line
       await studio.choose('ring.obj', text);
       const hash = await studio.resultOf('ring');
       const formats = { fold: 'FOLD', pdf: 'PDF', dxf: 'Machine (DXF)', png: 'Pictures (PNG)' };
-      const files: Saved[] = [];
+      const files: SavedFile[] = [];
       for (const button of Object.values(formats)) {
         files.push(...filesOf(await studio.download(button)));
       }

@@ -25,7 +25,7 @@ async function expectRing(studio: StudioPage, hash: string): Promise<void> {
   expect(await studio.resultOf('ring')).toBe(hash);
   expect(await studio.page.locator('#chosen').innerText()).toBe('Chosen: ring.obj');
   const words = 'other files were not needed: ring.mtl and';
-  expect(await studio.page.locator('#result').innerText()).toContain(words);
+  expect(await studio.page.locator('#result-side').innerText()).toContain(words);
 }
 
 test('several files are picked together', () =>
@@ -63,7 +63,7 @@ test('a folder is dropped', () =>
       }
       await studio.dropFolder(folder);
       await expectRing(studio, hash);
-      const words = await studio.page.locator('#result').innerText();
+      const words = await studio.page.locator('#result-side').innerText();
       expect(words).toContain('textures/wood.png');
     } finally {
       await rm(folder, { recursive: true });

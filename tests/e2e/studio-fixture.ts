@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll } from 'vitest';
 import { serve } from '../../scripts/serve.mjs';
+import { sharedBrowser } from './shared-browser.js';
 import { StudioPage, type BrowserOptions } from './studio-page.js';
 
 // The folder above the studio is served, so that an address that is not relative leads nowhere.
@@ -21,7 +22,8 @@ export function useStudio(): (
   afterAll(() => server?.close());
   return async (work, options) => {
     if (!server) throw new Error('The studio is not served');
-    const studio = await StudioPage.open(`${server.address}studio/`, options);
+    const browser = options?.flags ? undefined : await sharedBrowser();
+    const studio = await StudioPage.open(`${server.address}studio/`, options, browser);
     try {
       await work(studio);
     } finally {

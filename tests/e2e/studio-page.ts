@@ -1,20 +1,7 @@
-import { mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { chromium, type BrowserContext, type Download, type Page } from 'playwright-core';
-
-const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
-const flags = [
-  '--no-sandbox',
-  // WebGL in software, for machines without a graphics card.
-  '--use-angle=swiftshader',
-  '--enable-unsafe-swiftshader',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
+import type { Browser, BrowserContext, Download, Page } from 'playwright-core';
+import { startChromium } from './chromium.js';
 
 /** A canvas that shows nothing has one colour; edges smoothed by the browser make many. */
 const few = 20;
@@ -32,17 +19,21 @@ export interface BrowserOptions {
   hasTouch?: boolean;
   /** Whether things move by themselves; by default they do not. */
   reducedMotion?: 'reduce' | 'no-preference';
-  /** Of the browser, besides those that it always gets. */
+  /** Of a browser of its own, besides those that each gets. */
   flags?: string[];
   /** Runs in the page before its own scripts. */
   script?: string;
-  /** Runs in the engine's workers before their own scripts. */
+  /** Runs in the engine's workers, or others, before their own scripts. */
   workerScript?: string;
-  /** Without them every request goes to the server, where a test can catch it. */
+  /** Addresses of these workers, if they are not the engine's. */
+  workers?: RegExp;
+  /** Whether the settings are folded away at the start, as they are for people; else they can be filled in at once. */
+  folded?: boolean;
+  /** By default there are none: each page would fetch all files of the build, and no test could catch a request. */
   serviceWorkers?: 'allow' | 'block';
 }
 
-/** Chromium with a profile of its own and the studio open in it. */
+/** The studio in a context of its own: nothing is kept there from other pages, as in a new profile. */
 export class StudioPage {
   /** Errors and warnings of the console, and uncaught errors. */
   readonly complaints: string[] = [];
@@ -52,7 +43,7 @@ export class StudioPage {
   private constructor(
     readonly page: Page,
     private readonly context: BrowserContext,
-    private readonly profile: string,
+    private readonly browser: Browser | null,
   ) {
     page.on('pageerror', (error) => this.complaints.push(String(error)));
     page.on('console', (message) => {
@@ -64,23 +55,30 @@ export class StudioPage {
     context.on('request', (request) => this.requests.push(request.url()));
   }
 
+  /** @param shared the browser; without it one is started, which ends with the studio */
   static async open(
     address: string,
-    { script, workerScript, flags: more = [], ...options }: BrowserOptions = {},
+    {
+      flags,
+      script,
+      workerScript,
+      workers = /\/worker-[^/]*\.js$/,
+      folded = false,
+      ...options
+    }: BrowserOptions = {},
+    shared?: Browser,
   ): Promise<StudioPage> {
-    const profile = await mkdtemp(join(tmpdir(), 'foldwright-chromium-'));
-    const context = await chromium.launchPersistentContext(profile, {
-      executablePath,
-      args: [...flags, ...more],
+    const own = shared ? null : await startChromium(flags);
+    const context = await (shared ?? own!).newContext({
       viewport: desktop,
       reducedMotion: 'reduce',
-      serviceWorkers: workerScript ? 'block' : 'allow',
+      serviceWorkers: 'block',
       ...options,
     });
-    const studio = new StudioPage(context.pages()[0]!, context, profile);
+    const studio = new StudioPage(await context.newPage(), context, own);
     if (script) await context.addInitScript(script);
     if (workerScript) {
-      await context.route(/\/worker-[^/]*\.js$/, async (route) => {
+      await context.route(workers, async (route) => {
         const response = await route.fetch();
         await route.fulfill({ response, body: workerScript + (await response.text()) });
       });
@@ -88,12 +86,51 @@ export class StudioPage {
     await studio.page.goto(address);
     // Either the samples are there or the page says why not.
     await studio.page.locator('.sample, #message:not([hidden])').first().waitFor();
+    if (!folded) await studio.unfoldSettings();
     return studio;
+  }
+
+  /** The same studio in another tab. */
+  async anotherTab(): Promise<StudioPage> {
+    const page = await this.context.newPage();
+    const tab = new StudioPage(page, this.context, null);
+    await page.goto(this.page.url());
+    await page.locator('.sample, #message:not([hidden])').first().waitFor();
+    return tab;
+  }
+
+  /** Ends the page as if its process had died, and opens the studio again in another one. */
+  async crash(): Promise<StudioPage> {
+    const tab = await this.context.newPage();
+    const address = this.page.url();
+    const devtools = await this.context.newCDPSession(this.page);
+    // Never answered: there is nobody left who could.
+    void devtools.send('Page.crash').catch(() => undefined);
+    await this.page.waitForEvent('crash');
+    const studio = new StudioPage(tab, this.context, null);
+    await tab.goto(address);
+    await tab.locator('.sample, #message:not([hidden])').first().waitFor();
+    return studio;
+  }
+
+  /** Opens the settings of all studios, as people do who have wishes. */
+  async unfoldSettings(): Promise<void> {
+    await this.page.locator('foldwright-studio').evaluateAll((studios) => {
+      for (const { shadowRoot } of studios) {
+        const folds = shadowRoot!.querySelectorAll<HTMLDetailsElement>('#settings, #more, #print');
+        for (const fold of folds) fold.open = true;
+      }
+    });
+  }
+
+  /** Shows one of the tabs of a small window. */
+  async showTab(name: 'Model' | 'Sheets' | 'Build' | 'Save'): Promise<void> {
+    await this.page.getByRole('tab', { name, exact: true }).click();
   }
 
   async close(): Promise<void> {
     await this.context.close();
-    await rm(this.profile, { recursive: true, force: true });
+    await this.browser?.close();
   }
 
   /** Chooses a file, as with the file picker. */
@@ -140,10 +177,12 @@ export class StudioPage {
     await this.page.getByRole('button', { name, exact: true }).click();
   }
 
-  /** Waits for the result of the model with this name and returns its hash. */
+  /** Waits for all of the result of the model with this name and returns its hash. */
   async resultOf(name: string): Promise<string> {
     await this.page.locator('#result-title', { hasText: name }).waitFor({ timeout: 60_000 });
     await this.page.locator('#progress').waitFor({ state: 'hidden', timeout: 60_000 });
+    // What follows the last sheet, such as words about the end, is there then, too.
+    await this.page.locator('#sheets[aria-busy]').waitFor({ state: 'detached', timeout: 60_000 });
     return (await this.page.locator('#result').getAttribute('data-hash')) ?? '';
   }
 

@@ -103,7 +103,6 @@ test('parts and paper can be asked for', () =>
     const { page } = studio;
     await page.fill('#parts', '3');
     await page.selectOption('#paper', 'Letter');
-    await page.getByText('More options').click();
     await page.selectOption('#orientation', 'landscape');
     await studio.chooseSample('Duck');
     await studio.resultOf('duck');

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { buildingPlan } from '../../web/export/building-plan.js';
 import { writePdf } from '../../web/export/pdf.js';
 import { writeFiles } from '../../web/export/files.js';
-import type { ExportFormat } from '../../web/export/formats.js';
+import type { DrawnFormat } from '../../web/export/formats.js';
 import { pagesOf, type Print } from '../../web/export/print.js';
 import type { SheetDrawing } from '../../web/export/sheet-drawing.js';
 import { writeSvg } from '../../web/export/svg.js';
@@ -24,7 +24,7 @@ const withPages = (result: JobResult, title = 'cube'): Promise<Print> =>
   printOf(result, { title, options: { assembly: true } });
 
 /** Names of the files in a format. */
-async function namesOf(format: ExportFormat, print: Print): Promise<string[]> {
+async function namesOf(format: DrawnFormat, print: Print): Promise<string[]> {
   const files = await writeFiles(format, {
     result: boxAndLidResult(),
     print,

@@ -59,12 +59,19 @@ const pictured = {
   picture: { width: 8, height: 8, rgb: new Uint8Array(192).fill(7) },
 };
 
+function fold(): ModelFile {
+  const { vertices, faces } = wavyRing(12);
+  const content = { file_spec: 1.2, vertices_coords: vertices, faces_vertices: faces };
+  return { name: 'a.fold', bytes: new TextEncoder().encode(JSON.stringify(content)) };
+}
+
 const cases: readonly [string, () => Promise<ModelFile>][] = [
   ['GLB', () => glb()],
   ['Draco', () => glb(draco)],
   ['meshopt', () => glb(meshopt)],
   ['3MF', () => Promise.resolve(threeMf(modelPart(meshObject(1, ring()), '<item objectid="1"/>')))],
   ['PDO', () => Promise.resolve(pdoFile({ materials: [pictured] }))],
+  ['FOLD', () => Promise.resolve(fold())],
   ['ZIP', () => Promise.resolve(zip('a.zip', { 'a.obj': objOf(box(1, 2, 3)) }))],
 ];
 

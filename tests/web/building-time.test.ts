@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { assemblySteps } from '../../web/model/assembly-steps.js';
-import { buildingTime } from '../../web/model/building-time.js';
+import { buildingTime, difficultyOf } from '../../web/model/building-time.js';
 import type { JobResult } from '../../web/model/job.js';
 import { boxAndLidResult, cubeResult } from './fixtures.js';
 
@@ -18,4 +18,15 @@ it('counts every piece and the seams between pieces', () => {
   const { glued, taped } = timeOf(boxAndLidResult());
   expect(glued).toBeCloseTo(2 * 180 + 64 + 24 + 8 * 60, 6);
   expect(taped).toBeCloseTo(2 * 180 + 64 + 24 + 8 * 10, 6);
+});
+
+it('makes a model easy for an afternoon, medium for a weekend, and hard beyond', () => {
+  expect([0, 2, 2.01, 6, 6.01, 36].map((hours) => difficultyOf(3600 * hours))).toEqual([
+    'easy',
+    'easy',
+    'medium',
+    'medium',
+    'hard',
+    'hard',
+  ]);
 });

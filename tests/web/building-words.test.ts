@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { building } from '../../web/words/building.js';
+import { building } from '../../web/words/en/building.js';
 
 describe('times', () => {
   it.each([

@@ -22,12 +22,11 @@ export interface CheckedRun {
   violations: string[];
 }
 
-/** @param limit milliseconds after which the run is killed */
-export function checkedRun(model: string, args: string[], limit: number): Promise<CheckedRun> {
+export function checkedRun(model: string, args: string[]): Promise<CheckedRun> {
   return inFolder(async (folder) => {
     const [fold, path] = [join(folder, 'out.fold'), join(folder, 'report.json')];
     const all = [model, '-o', fold, '--report', path, '--quiet', ...args];
-    const ended = await foldwright(all, { limit });
+    const ended = await foldwright(all);
     if (ended.status !== 0) return { ended, report: null, violations: [] };
     const report = JSON.parse(readFileSync(path, 'utf8')) as ReadReport;
     const violations = [

@@ -214,7 +214,7 @@ describe.skipIf(!isBuilt)('a run of the command line', () => {
   ])('makes nets that fold with %s %s', (...option: string[]) =>
     withModel(objText(wavyRing(12)), async (_, model) => {
       const args = ['--parts', '3', '--runs', '50', '--compact', 'off', ...option];
-      const { ended, violations } = await checkedRun(model, args, 60_000);
+      const { ended, violations } = await checkedRun(model, args);
       expect(ended).toEqual({ status: 0, stdout: '', stderr: '' });
       expect(violations).toEqual([]);
     }),

@@ -64,6 +64,10 @@ describe.skipIf(!isBuilt)('the command line', () => {
     [['--depth', '0'], "option '--depth': '0' is not a number from 1 to 100000, nor none"],
     [['--width', '9', '--depth', '9'], "option '--depth': the size is given by '--width'"],
     [['--up', 'w'], "option '--up': 'w' is not guess or x or y or z"],
+    [
+      ['--fill-holes', '101'],
+      "option '--fill-holes': '101' is not a number from 0.1 to 100, nor all",
+    ],
     [['--unit', 'ft'], "option '--unit': 'ft' is not guess or mm"],
     [['--split', '0'], "option '--split': '0' is not a whole number from 1"],
     [['--split', '3:'], "option '--split': '3:' is not a whole number from 1"],

@@ -101,23 +101,32 @@ describe('runJob', () => {
     expect(spawned.count).toBe(2);
   });
 
-  it('waits for the nets of a worker that is slow to answer a cancel', async () => {
+  it('waits for the nets of a worker that is slow to answer a stop, unless it is cancelled', async () => {
     const net: EngineEvent = { type: 'net', part: 0, piece: 0 };
-    for (const steps of [[[net], [progress(0.5)]], [[progress(0.5)]]]) {
+    for (const [steps, isCancelled] of [
+      [[[net], [progress(0.5)]], false],
+      [[[net], [progress(0.5)]], true],
+      [[[progress(0.5)]], false],
+    ] as const) {
       const { pool, spawned } = poolOf(1, (listener) =>
-        busyPort(engineOf({ steps }), listener, 3 * defaultPatience),
+        busyPort(
+          engineOf({ steps: steps.map((step) => [...step]) }),
+          listener,
+          3 * defaultPatience,
+        ),
       );
-      const control = new AbortController();
+      const [stop, cancel] = [new AbortController(), new AbortController()];
       const heard = new Set<string>();
       const onEvent = ({ type }: TimedEngineEvent): void => {
         heard.add(type);
-        control.abort();
+        stop.abort();
+        if (isCancelled) cancel.abort();
       };
-      const aborted = run(pool, { signal: control.signal, onEvent });
-      await expect(aborted).rejects.toMatchObject({ name: 'AbortError' });
-      const hasNets = steps[0]!.includes(net);
-      expect(heard.has('cancelled')).toBe(hasNets);
-      expect([spawned.count, pool.workers.length]).toEqual([1, hasNets ? 1 : 0]);
+      const ended = run(pool, { signal: cancel.signal, stop: stop.signal, onEvent });
+      await expect(ended).rejects.toMatchObject({ name: 'AbortError' });
+      const isAwaited = steps.length > 1 && !isCancelled;
+      expect(heard.has('cancelled')).toBe(isAwaited);
+      expect([spawned.count, pool.workers.length]).toEqual([1, isAwaited ? 1 : 0]);
     }
   });
 

@@ -16,6 +16,9 @@ function required<Found>(found: Found | null, what: string): Found | null {
 /** `npm test` builds it first; a bare run of the tests may not have it. */
 export const isBuilt = required(existsSync(script) || null, 'the built command') !== null;
 
+/** Ms after which a run counts as one that hangs. Generous: some models are large, and machines differ. */
+export const runLimit = 240_000;
+
 export interface Ended {
   /** Exit status, or null if a signal or the time limit ended it. */
   status: number | null;
@@ -24,23 +27,30 @@ export interface Ended {
 }
 
 export interface CommandOptions {
-  /** Milliseconds after which the program is killed; default 60,000. */
+  /** Milliseconds after which the program is killed; default `runLimit`. */
   limit?: number;
-  /** Sent as soon as the program says anything on stderr. */
+  /** Sent as soon as the program says anything on stderr, or what `after` waits for. */
   interrupt?: NodeJS.Signals;
+  /** What has to stand on stdout before it is interrupted. */
+  after?: string;
 }
 
 /** Runs `foldwright` with these arguments to its end. */
 export function foldwright(args: string[], options: CommandOptions = {}): Promise<Ended> {
-  const { limit = 60_000, interrupt } = options;
+  const { after, interrupt, limit = runLimit } = options;
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [script, ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
     const timer = setTimeout(() => child.kill('SIGKILL'), limit);
-    let [stdout, stderr] = ['', ''];
-    child.stdout.on('data', (chunk: Buffer) => (stdout += chunk.toString()));
+    let [stdout, stderr, isInterrupted] = ['', '', false];
+    child.stdout.on('data', (chunk: Buffer) => {
+      stdout += chunk.toString();
+      if (!interrupt || after === undefined || isInterrupted || !stdout.includes(after)) return;
+      isInterrupted = true;
+      child.kill(interrupt);
+    });
     child.stderr.on('data', (chunk: Buffer) => {
       stderr += chunk.toString();
-      if (interrupt) child.kill(interrupt);
+      if (interrupt && after === undefined) child.kill(interrupt);
     });
     child.on('error', reject);
     child.on('close', (status) => {

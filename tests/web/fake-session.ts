@@ -1,8 +1,7 @@
 /** A document without an engine, for tests of the store: every step waits until the test lets it go on. */
 import type { DocumentState } from '../../web/api/document-state.js';
-import { refusal, type Refusal } from '../../web/api/edit-plan.js';
+import { refusal, type Applied, type Refusal } from '../../web/api/edit-plan.js';
 import type { Inspection } from '../../web/api/inspect.js';
-import type { Applied } from '../../web/api/session.js';
 import type { RunWork, WorkOptions } from '../../web/api/work.js';
 import type { OpenModel } from '../../web/app/store-needs.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
@@ -10,7 +9,16 @@ import type { DocumentEdit } from '../../web/model/document-edits.js';
 import { renamed } from '../../web/model/edits.js';
 import type { PartName } from '../../web/model/job-options.js';
 import type { Settings } from '../../web/model/options.js';
+import type { Project } from '../../web/project/project.js';
 import type { Report } from '../../web/export/report.js';
+
+/** Faces side by side, more than tests have parts. */
+const model = {
+  vertices: Float64Array.from(
+    Array.from({ length: 12 }, (_, i) => [10 * i, 0, 0, 10 * i + 5, 0, 5, 10 * i, 5, 0]).flat(),
+  ),
+  faces: Int32Array.from({ length: 36 }, (_, corner) => corner),
+};
 
 /** A result of so many parts of one face each, which are pieces as well. */
 export function stateOf(settings: Settings, parts: number, names: PartName[] = []): DocumentState {
@@ -19,7 +27,7 @@ export function stateOf(settings: Settings, parts: number, names: PartName[] = [
     return { part, sources, sheet: 0, x: part, y: 0, angle: 0 };
   });
   const labels = Int32Array.from(pieces, ({ part }) => part);
-  const result = { parts, labels, names, pieces, scale: 1, notices: [] };
+  const result = { model, parts, labels, names, pieces, scale: 1, notices: [] };
   const wishes = { settings, flapEdges: [], locks: [], names, pins: [] };
   return { wishes, result: result as unknown as DocumentState['result'] };
 }
@@ -39,8 +47,12 @@ export class FakeSession implements OpenModel {
 
   private states: { state: DocumentState; edits: readonly DocumentEdit[] }[] = [];
   position = 0;
+  settings: Settings | null = null;
   /** Settles the present work; rejects it if there is an error. */
   goOn: (error?: Error) => void = () => undefined;
+  /** Whether a run that is stopped has nets to hand over, and whether that takes for ever. */
+  isFruitful = true;
+  isSlow = false;
   /** What the present work tells. */
   say: (event: object) => void = () => undefined;
 
@@ -79,8 +91,8 @@ export class FakeSession implements OpenModel {
     await this.wait(work);
     const { file } = this;
     work.onEvent?.({ type: 'model', file } as TimedEvent);
-    const { wishes, result } = stateOf(settings, 4);
-    this.states = [{ state: { wishes, result: { ...result, file } }, edits: [] }];
+    this.settings = settings;
+    this.states = [{ state: this.named(stateOf(settings, 4)), edits: [] }];
     return {} as Report;
   }
 
@@ -92,7 +104,7 @@ export class FakeSession implements OpenModel {
     await this.wait(work);
     const state = next(this.states[this.position]!.state, edits);
     if ('ok' in state) return state;
-    this.states = [...this.states.slice(0, ++this.position), { state, edits }];
+    this.states = [...this.states.slice(0, ++this.position), { state: this.named(state), edits }];
     return { ok: true, changed: [] };
   }
 
@@ -108,18 +120,32 @@ export class FakeSession implements OpenModel {
     return Promise.resolve(this.states[this.position]!.state);
   }
 
+  project(): Project {
+    throw new Error('Nobody keeps it here');
+  }
+
+  private named({ wishes, result }: DocumentState): DocumentState {
+    return { wishes, result: { ...result, file: this.file } };
+  }
+
   private move(by: number): boolean {
     if (!this.states[this.position + by]) return false;
     this.position += by;
     return true;
   }
 
-  private async wait({ signal, onEvent }: WorkOptions): Promise<void> {
+  private async wait({ signal, stop, onEvent }: RunWork): Promise<void> {
     signal?.throwIfAborted();
     this.say = (event) => onEvent?.(event as TimedEvent);
     await new Promise<void>((resolve, reject) => {
       this.goOn = (error) => (error ? reject(error) : resolve());
       signal?.addEventListener('abort', () => reject(signal.reason as Error));
+      stop?.addEventListener('abort', () => {
+        if (this.isSlow) return;
+        if (!this.isFruitful) return reject(stop.reason as Error);
+        this.say({ type: 'cancelled' });
+        resolve();
+      });
     });
   }
 }

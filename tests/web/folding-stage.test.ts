@@ -1,10 +1,13 @@
+import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { foldEnd } from '../../web/model/choreography.js';
+import { flightTimes, foldEnd } from '../../web/model/choreography.js';
 import type { JobResult } from '../../web/model/job.js';
+import { turnAround } from '../../web/model/pose.js';
 import { dot, vectorAt, type Vector } from '../../web/model/vector.js';
-import { FoldingStage } from '../../web/view/folding-stage.js';
-import { extentOf, extentSeen, flatMesh } from '../../web/view/model-geometry.js';
-import { viewHeight } from '../../web/view/orbit.js';
+import { FoldingStage, type Beholder } from '../../web/view/folding-stage.js';
+import { boxSeen, viewAxes } from '../../web/view/camera-path.js';
+import { extentOf, flatMesh } from '../../web/view/model-geometry.js';
+import { Orbit, viewHeight } from '../../web/view/orbit.js';
 import { boxAndLidResult, cubeResult, slitResult } from './fixtures.js';
 
 const results = { cube: cubeResult(), 'box and lid': boxAndLidResult(), slit: slitResult() };
@@ -12,9 +15,11 @@ const results = { cube: cubeResult(), 'box and lid': boxAndLidResult(), slit: sl
 /** Someone looks from this angle around the upright axis. */
 const around = 0.65;
 
-function stageOf(result: JobResult) {
+const beholder: Beholder = { around, height: viewHeight, aspect: 1.6 };
+
+function stageOf(result: JobResult, from = beholder) {
   const stage = new FoldingStage(result);
-  stage.turnTable(around);
+  stage.turnTable(from);
   const count = 3 * result.model.faces.length;
   return {
     netVertices: stage.netVertices,
@@ -55,14 +60,56 @@ describe('FoldingStage', () => {
     },
   );
 
-  it('keeps all in view while the pieces fold', () => {
-    const stage = stageOf(results['box and lid']);
+  /** How far the corners of some faces reach in a view at a time, as a share of half of it; 1 is its edge. */
+  function fill(result: JobResult, time: number, faces: (face: number) => boolean = () => true) {
+    const camera = new PerspectiveCamera();
+    const orbit = new Orbit(camera);
+    orbit.fit(1.3);
+    const { vertices, faces: corners } = result.model;
+    orbit.reset(extentOf(flatMesh(vertices, corners).positions, viewHeight));
+    const { positions, extent } = stageOf(result, orbit).at(time);
+    orbit.frame(extent);
+    camera.updateMatrixWorld();
+    const seen = points(positions)
+      .filter((_, corner) => faces(Math.floor(corner / 3)))
+      .map((point) => new Vector3(...point).project(camera));
+    return Math.max(...seen.map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y))));
+  }
+
+  it.each(Object.entries(results))('lets the %s fill the view while it folds', (_, result) => {
     for (const time of [0, 0.2, 0.5, foldEnd]) {
-      const { positions, extent } = stage.at(time);
-      const seen = extentSeen(positions, viewHeight, around);
-      expect(seen.up).toBeLessThan(extent.up + 1e-6);
-      expect(seen.reach).toBeLessThan(extent.reach + 1e-6);
+      const share = fill(result, time);
+      expect(share).toBeLessThanOrEqual(1);
+      expect(share).toBeGreaterThan(0.55);
     }
+  });
+
+  it('looks at what comes together, not at the table', () => {
+    const result = results['box and lid'];
+    const [box, lid] = result.pieces.map(({ sources }) => new Set(sources));
+    const { end } = flightTimes(0, 2);
+    // The lid has just begun to rise.
+    const share = fill(result, end, (face) => box!.has(face));
+    expect(share).toBeLessThanOrEqual(1);
+    expect(share).toBeGreaterThan(0.5);
+    // At its place it is in view.
+    expect(fill(result, 0.98, (face) => lid!.has(face))).toBeLessThanOrEqual(1);
+  });
+
+  it('knows where things lie for someone who looks', () => {
+    const [right, up, near] = viewAxes(0, 0);
+    expect([right, up, near]).toEqual([
+      [1, 0, -0],
+      [-0, 1, -0],
+      [0, 0, 1],
+    ]);
+    const { low, high } = boxSeen(Float64Array.of(1, 2, 3, -1, 0, 5), viewAxes(Math.PI / 2, 0));
+    // From the side: what was in front is to the left.
+    expect(low.map(Math.round)).toEqual([-5, 0, -1]);
+    expect(high.map(Math.round)).toEqual([-3, 2, 1]);
+    const pose = { turn: turnAround([0, 1, 0], Math.PI / 2), move: [10, 0, 0] } as const;
+    const posedBox = boxSeen(Float64Array.of(1, 2, 3), viewAxes(0, 0), pose);
+    expect(posedBox.low.map(Math.round)).toEqual([13, 2, -1]);
   });
 
   it('moves nothing by leaps', () => {

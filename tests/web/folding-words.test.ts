@@ -1,16 +1,21 @@
 import { describe, expect, it } from 'vitest';
-import { doubts, folded, joiningLetters, listed } from '../../web/app/folding-words.js';
+import { doubts, folded, joiningLetters } from '../../web/app/folding-words.js';
 import { stepMarks } from '../../web/app/step-marks.js';
 import { stepWords } from '../../web/app/step-words.js';
+import { modelMarks } from '../../web/app/model-marks.js';
+import { stepTimes } from '../../web/model/choreography.js';
 import { assemblySteps } from '../../web/model/assembly-steps.js';
 import type { Piece } from '../../web/model/job.js';
 import { secondOf, tempoFor, timeAt } from '../../web/model/tempo.js';
+import { english } from '../../web/words/en/index.js';
 import { beakResult, boxAndLidResult, cubeResult } from './fixtures.js';
 
 describe('the words of a folding', () => {
   it('tell what there is to see', () => {
     const letters = ['B', 'A', 'C'];
-    const words = [0, 0.001, 0.35, 0.699, 0.7, 0.75, 0.9, 1].map((time) => folded(time, letters));
+    const words = [0, 0.001, 0.35, 0.699, 0.7, 0.75, 0.9, 1].map((time) =>
+      folded(english, time, letters),
+    );
     expect(words).toEqual([
       'flat',
       'folded by 5 %',
@@ -21,7 +26,19 @@ describe('the words of a folding', () => {
       'joining piece A',
       'the model',
     ]);
-    expect(folded(0.9, ['A'])).toBe('folded');
+    expect(folded(english, 0.9, ['A'])).toBe('folded');
+    expect(stepTimes(3).map((time) => folded(english, time, letters))).toEqual([
+      'flat',
+      'folded',
+      'piece B is in place',
+      'piece A is in place',
+      'the model',
+    ]);
+    expect(stepTimes(1).map((time) => folded(english, time, ['A']))).toEqual([
+      'flat',
+      'folded',
+      'the model',
+    ]);
   });
 
   it('follow the order of joining', () => {
@@ -31,13 +48,15 @@ describe('the words of a folding', () => {
   it('warn of pieces without a motion', () => {
     const { pieces } = boxAndLidResult();
     const without = ({ motion: _, ...piece }: Piece): Piece => piece;
-    expect(doubts(pieces)).toBe('');
-    expect(doubts([pieces[0]!, without(pieces[1]!)])).toMatch(/^No way to fold B is known/);
-    expect(doubts(pieces.map(without))).toMatch(/^No way to fold these pieces is known/);
+    expect(doubts(english, pieces)).toBe('');
+    expect(doubts(english, [pieces[0]!, without(pieces[1]!)])).toMatch(
+      /^No way to fold B is known/,
+    );
+    expect(doubts(english, pieces.map(without))).toMatch(/^No way to fold these pieces is known/);
   });
 
   it('list names as people do', () => {
-    expect([['A'], ['A', 'B'], ['A', 'B', 'C']].map(listed)).toEqual([
+    expect([['A'], ['A', 'B'], ['A', 'B', 'C']].map(english.speech.all)).toEqual([
       'A',
       'A and B',
       'A, B and C',
@@ -47,7 +66,7 @@ describe('the words of a folding', () => {
 
 describe('the words of a step', () => {
   const wordsOf = (pieces: readonly Piece[]) =>
-    assemblySteps(pieces).map((step) => stepWords(step, pieces));
+    assemblySteps(pieces).map((step) => stepWords(english, step, pieces));
 
   it('say how a piece is creased, closed and glued', () => {
     const [box, lid] = wordsOf(boxAndLidResult().pieces);
@@ -83,6 +102,28 @@ describe('stepMarks', () => {
       .flatMap(({ label }) => label ?? []);
     const numbers = step!.seams.flatMap((_, i) => [String(i + 1), String(i + 1)]);
     expect(labels.sort()).toEqual(numbers.sort());
+  });
+});
+
+describe('modelMarks', () => {
+  it('lie on edges of the model that both sides of a border have', () => {
+    const result = boxAndLidResult();
+    const [box, lid] = assemblySteps(result.pieces);
+    const { edges, kinds } = modelMarks(lid!, result);
+    expect(kinds).toEqual(['border', 'border', 'border', 'border']);
+    // The rim of the box: four vertices, each at two of the edges.
+    const ends = new Map<number, number>();
+    for (const vertex of edges) ends.set(vertex, (ends.get(vertex) ?? 0) + 1);
+    expect([...ends.values()]).toEqual([2, 2, 2, 2]);
+    // All of them lie in one side of the cube.
+    const flat = [0, 1, 2].filter((axis) => {
+      const places = [...ends.keys()].map((vertex) => result.model.vertices[3 * vertex + axis]);
+      return new Set(places).size === 1;
+    });
+    expect(flat).toHaveLength(1);
+    const seams = modelMarks(box!, result);
+    expect(seams.kinds.every((kind) => kind === 'seam')).toBe(true);
+    expect(seams.edges.length).toBe(2 * box!.seams.flat().length);
   });
 });
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { leftOut } from '../../web/model/left-out.js';
 import type { JobResult } from '../../web/model/job.js';
-import { phraseOf } from '../../web/words/phrase.js';
+import { englishPhrase } from '../../web/words/phrase.js';
 import { addFlap } from './changed-result.js';
 import { boxAndLidResult } from './fixtures.js';
 
@@ -9,7 +9,7 @@ function wordsOn(change: (result: JobResult) => void): string[] {
   const result = boxAndLidResult();
   result.ids = { printed: 9, skipped: [] };
   change(result);
-  return leftOut(result).map(phraseOf);
+  return leftOut(result).map(englishPhrase);
 }
 
 function missFlaps(of: JobResult, strips = 0): void {

@@ -43,6 +43,7 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
           ++done;
           return [];
         },
+        draft: () => [],
         cancel: () => [{ type: 'cancelled' }],
         delete() {
           next = NaN;

@@ -2,7 +2,7 @@ import { readdirSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { checkedRun } from './checked-run.js';
-import { isBuilt, sharedFolder } from './command.js';
+import { isBuilt, runLimit, sharedFolder } from './command.js';
 
 const shared = sharedFolder();
 
@@ -18,20 +18,18 @@ const files =
     ? []
     : ['nasty', 'models/academic'].flatMap((name) => filesBelow(join(shared, name)));
 
-const limit = 60_000;
-
 describe.skipIf(shared === null || !isBuilt)('files that nobody promised to be models', () => {
   // Hundreds of short programs: most of their time is that of their start.
   it.concurrent.each(files.map((path) => ({ path, name: relative(shared ?? '', path) })))(
     '$name',
     async ({ path }) => {
-      const { ended, violations } = await checkedRun(path, ['--compact', 'off'], limit);
+      const { ended, violations } = await checkedRun(path, ['--compact', 'off']);
       expect([0, 3]).toContain(ended.status);
       if (ended.status === 3) expect(ended.stderr).toMatch(/^[^\n]+: [^\n]+\n$/);
       else expect(ended.stderr).toBe('');
       expect(ended.stdout).toBe('');
       expect(violations).toEqual([]);
     },
-    limit + 10_000,
+    runLimit + 10_000,
   );
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { NearestFace, nearestShares } from '../../web/export/texture/nearest-face.js';
+import { NearestFace, nearestShares } from '../../web/model/nearest-face.js';
 import type { Vector } from '../../web/model/vector.js';
 
 /** Numbers from 0 to 1 that are the same every time. */

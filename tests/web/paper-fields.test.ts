@@ -14,6 +14,7 @@ describe('the fields of sheets, size, flaps and numbers', () => {
       sizing: 'fit',
       size: '',
       'flap-side': 'one',
+      'flap-style': 'run',
       'flap-height': '5',
       strips: 'false',
       ids: 'flap',

@@ -7,6 +7,7 @@ import type { JobResult } from '../../web/model/job.js';
 import { isPinOf, joinOffers, layingOf, placing } from '../../web/model/piece-edits.js';
 import { placeOf } from '../../web/model/piece-shape.js';
 import { SheetPieces } from '../../web/model/sheet-pieces.js';
+import { english } from '../../web/words/en/index.js';
 import { boxAndLidResult } from './fixtures.js';
 import { objText, wavyRing } from './model-text.js';
 import { readRenderer } from './printed.js';
@@ -26,12 +27,12 @@ describe('edits of a piece', () => {
   });
 
   it('have words in the history', () => {
-    const words = (at: typeof place) => editWords([placing(1, at)], result);
+    const words = (at: typeof place) => editWords(english, [placing(1, at)], result);
     expect(words({ ...place, x: 99 })).toBe('moved B');
     expect(words({ ...place, turn: 90 })).toBe('turned B');
     expect(words(place)).toBe('kept B in place');
-    expect(editWords([{ kind: 'unpin', piece: 2 }], result)).toBe('let B move');
-    expect(editWords([placing(7, place)], result)).toBe('moved a piece');
+    expect(editWords(english, [{ kind: 'unpin', piece: 2 }], result)).toBe('let B move');
+    expect(editWords(english, [placing(7, place)], result)).toBe('moved a piece');
   });
 
   it('touch the part of their piece', () => {

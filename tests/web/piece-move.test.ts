@@ -1,15 +1,10 @@
 /** Pieces on their way, in a hand or step by step, and what is said of it. */
 import { describe, expect, it } from 'vitest';
-import {
-  cannotStay,
-  layingWords,
-  noRoom,
-  notDropped,
-  pieceWords,
-} from '../../web/app/piece-words.js';
+import { cannotStay, notDropped, pieceWords } from '../../web/app/piece-words.js';
 import { Hover } from '../../web/view/hover.js';
 import { PieceMove } from '../../web/model/piece-move.js';
 import { SheetPieces } from '../../web/model/sheet-pieces.js';
+import { english } from '../../web/words/en/index.js';
 import { boxAndLidResult } from './fixtures.js';
 
 /** The open box at (10, 20), 160 x 80 mm, and its lid at (150, 200), 40 x 40 mm. */
@@ -82,22 +77,22 @@ describe('words for pieces', () => {
   const pieces = boxAndLid();
 
   it('say what a piece is, and why it cannot lie somewhere', () => {
-    expect(pieceWords(pieces, 0)).toBe('Piece A: 160 × 80 mm, sheet 1, 10 faces');
-    expect(cannotStay(pieces, 1, { what: 'overlap', piece: 0 })).toBe(
+    expect(pieceWords(english, pieces, 0)).toBe('Piece A: 160 × 80 mm, sheet 1, 10 faces');
+    expect(cannotStay(english, pieces, 1, { what: 'overlap', piece: 0 })).toBe(
       'B cannot stay here: it would lie on A.',
     );
-    expect(notDropped(pieces, 1, { what: 'outside' })).toBe(
+    expect(notDropped(english, pieces, 1, { what: 'outside' })).toBe(
       'B is back where it was. There, it would be too near to the edge of the sheet to be printed.',
     );
-    expect(noRoom(pieces, 1, 1)).toBe(
+    expect(english.pieces.noRoom('B', 2)).toBe(
       'There is no room for B on sheet 2. Move another piece away first.',
     );
   });
 
   it('say what was done with it', () => {
-    expect(layingWords('moved', 'B')).toBe('Moved B.');
-    expect(layingWords('turned', 'B')).toBe('Turned B.');
-    expect(layingWords('kept', 'B')).toBe('B stays here now, whatever else moves.');
+    expect(english.pieces.laid.moved('B')).toBe('Moved B.');
+    expect(english.pieces.laid.turned('B')).toBe('Turned B.');
+    expect(english.pieces.laid.kept('B')).toBe('B stays here now, whatever else moves.');
   });
 });
 

@@ -68,6 +68,32 @@ class GenerationCount {
 }
 
 describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
+  it('tells of sheets that could be printed while nets get better, which changes nothing', async () => {
+    const bytes = ring(12);
+    const run = (drafts: boolean, onEvent: Hear = () => undefined): Promise<TimedEngineResult> =>
+      withThreads(2, (pool) =>
+        runJob(
+          pool,
+          [{ name: 'model.obj', bytes }],
+          { ...defaultOptions, parts: 8, compaction: true },
+          { onEvent, drafts },
+        ),
+      );
+    const told: TimedEngineEvent[] = [];
+    const result = await run(true, (event) => told.push(event));
+    const drafts = told.flatMap((event) => (event.type === 'draft' ? [event.result] : []));
+    expect(drafts.length).toBeGreaterThan(0);
+    for (const draft of drafts) {
+      const faces = draft.pieces.flatMap(({ sources }) => [...sources]).sort((a, b) => a - b);
+      expect(faces).toEqual(Array.from({ length: 288 }, (_, face) => face));
+      expect(draft.pieces.every(({ overlaps }) => overlaps === 0)).toBe(true);
+      expect(draft.sheets.length).toBeGreaterThan(0);
+    }
+    expect(told.at(-1)!.type).toBe('done');
+    const { hash } = await run(false, ({ type }) => expect(type).not.toBe('draft'));
+    expect(hash).toBe(result.hash);
+  });
+
   it.each(cases)('gives one result for $name by $solver', async ({ bytes, solver, options }) => {
     const one = await unfoldWith(1, bytes, { solver, ...options });
     for (const workers of [2, 4]) {
@@ -106,21 +132,19 @@ describe.skipIf(!isEngineBuilt)('a pool of threads', () => {
       { victim: 'conductor', times: 1 },
     ));
 
-  it.each(stages.map(({ name }) => name))(
-    'ends a run that is cancelled in the stage %s, and works on',
-    (stage) =>
-      withThreads(2, async (pool) => {
-        const control = new AbortController();
-        const options = { ...defaultOptions, parts: 4 };
-        const run = runJob(pool, [{ name: 'model.obj', bytes: ring(12) }], options, {
-          signal: control.signal,
-          onEvent: (event) => {
-            if (event.type === 'stage' && event.stage === stage) control.abort();
-          },
-        });
-        await expect(run).rejects.toMatchObject({ name: 'AbortError' });
-        expect((await unfold(pool, ring(6), { compaction: false })).parts).toBe(8);
-      }),
+  it.each(stages)('ends a run that is cancelled in the stage %s, and works on', (stage) =>
+    withThreads(2, async (pool) => {
+      const control = new AbortController();
+      const options = { ...defaultOptions, parts: 4 };
+      const run = runJob(pool, [{ name: 'model.obj', bytes: ring(12) }], options, {
+        signal: control.signal,
+        onEvent: (event) => {
+          if (event.type === 'stage' && event.stage === stage) control.abort();
+        },
+      });
+      await expect(run).rejects.toMatchObject({ name: 'AbortError' });
+      expect((await unfold(pool, ring(6), { compaction: false })).parts).toBe(8);
+    }),
   );
 
   it('keeps the nets that were found before a run was cancelled', () =>

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { JobResult } from '../../web/model/job.js';
 import { printAdvice } from '../../web/model/print-advice.js';
-import { phraseOf } from '../../web/words/phrase.js';
+import { englishPhrase } from '../../web/words/phrase.js';
 import { scaled } from './changed-result.js';
 import { boxAndLidResult, cubeResult, tetrahedronResult } from './fixtures.js';
 
 function adviceOn(result: JobResult, margin = 10): string[] {
-  return printAdvice(result, margin).map(phraseOf);
+  return printAdvice(result, margin).map(englishPhrase);
 }
 
 /** All pieces on the first sheet. */

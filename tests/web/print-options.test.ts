@@ -4,9 +4,10 @@ import { parseCommandLine } from '../../web/cli/command-line.js';
 import { printOptions } from '../../web/model/options.js';
 import { defaultPrint } from '../../web/model/print-options.js';
 import { changedSettings, defaultSettings, lookOptions } from '../../web/api/written-options.js';
+import { english } from '../../web/words/en/index.js';
 
 const optionsOf = (...args: string[]) =>
-  printOptions(parseCommandLine(['a.obj', ...args]).settings);
+  printOptions(parseCommandLine(['a.obj', ...args], english).settings);
 
 describe('print options', () => {
   it('are the defaults when nothing is asked for', () => {

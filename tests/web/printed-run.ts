@@ -28,13 +28,13 @@ export interface PrintedRun {
   report: PrintReport;
 }
 
-/** @param limit milliseconds after which the run is killed  @throws if the run fails */
-export function printedRun(model: string, args: string[], limit = 60_000): Promise<PrintedRun> {
+/** @throws if the run fails */
+export function printedRun(model: string, args: string[]): Promise<PrintedRun> {
   return inFolder(async (folder) => {
     const path = (name: string): string => join(folder, name);
     const names = ['out.svg', 'out.pdf', 'out.fold'].flatMap((name) => ['-o', path(name)]);
     const all = [model, ...names, '--report', path('r.json'), '--quiet', ...args];
-    const ended = await foldwright(all, { limit });
+    const ended = await foldwright(all);
     if (ended.status !== 0) throw new Error(`ended with ${ended.status}: ${ended.stderr}`);
     const sources = readdirSync(folder)
       .filter((name) => name.endsWith('.svg'))

@@ -5,7 +5,7 @@ import type { ModelFile, ModelFiles } from '../../web/model/model-files.js';
 import { readFiles } from '../../web/read/read-files.js';
 import type { ReadModel } from '../../web/read/read-model.js';
 import { Unreadable } from '../../web/read/unreadable.js';
-import { phraseOf } from '../../web/words/phrase.js';
+import { englishPhrase } from '../../web/words/phrase.js';
 import { parsePly, type LookedTriangles } from './ply-file.js';
 
 const dracoFile = fileURLToPath(
@@ -23,7 +23,7 @@ export async function refusal(files: ModelFiles): Promise<string> {
     return 'read';
   } catch (error) {
     if (!(error instanceof Unreadable)) throw error;
-    return phraseOf(error);
+    return englishPhrase(error);
   }
 }
 

@@ -5,7 +5,7 @@ import type { JobResult } from '../../web/model/job.js';
 import type { Settings } from '../../web/model/options.js';
 import { remediesFor, remedyEdits } from '../../web/model/remedies.js';
 import { findingsOn, type FindingCode } from '../../web/model/verdict.js';
-import { remedyWords } from '../../web/words/verdict.js';
+import { english } from '../../web/words/en/index.js';
 import { scaled } from './changed-result.js';
 import { boxAndLidResult, tetrahedronResult } from './fixtures.js';
 
@@ -16,7 +16,7 @@ function remediesIn(result: JobResult, code: FindingCode, more: Partial<Settings
 }
 
 function wordsFor(...of: Parameters<typeof remediesIn>): string[] {
-  return remediesIn(...of).map(remedyWords);
+  return remediesIn(...of).map(english.verdict.remedy);
 }
 
 /** The edits of the first remedy, which documents take. */

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { makeReport, type Report } from '../../web/export/report.js';
 import { reportText } from '../../web/export/report-text.js';
 import { defaultOptions } from '../../web/model/default-options.js';
+import { english } from '../../web/words/en/index.js';
 import { addFlap } from './changed-result.js';
 import { boxAndLidResult } from './fixtures.js';
 import { schemaErrors } from './report-schema.js';
@@ -24,6 +25,7 @@ function reportOf(parts: number, result = boxAndLidResult()): Report {
       paper: 0.1,
       total: 1.7,
     },
+    words: english,
   });
 }
 

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { checkedRun } from './checked-run.js';
-import { isBuilt } from './command.js';
+import { isBuilt, runLimit } from './command.js';
 
 const folder = fileURLToPath(new URL('../repro', import.meta.url));
 const manifest = 'manifest.txt';
@@ -16,8 +16,6 @@ const cases = readFileSync(join(folder, manifest), 'utf8')
     return file === undefined || outcome === undefined ? [] : [{ file, outcome }];
   });
 
-const limit = 60_000;
-
 it('the manifest lists every file beside it', () => {
   const listed = [...cases.map(({ file }) => file), manifest].sort();
   expect(listed).toEqual(readdirSync(folder).sort());
@@ -27,12 +25,12 @@ describe.skipIf(!isBuilt)('files that once went wrong', () => {
   it.concurrent.each(cases)(
     '$file',
     async ({ file, outcome }) => {
-      const { ended, violations } = await checkedRun(join(folder, file), [], limit);
+      const { ended, violations } = await checkedRun(join(folder, file), []);
       expect(ended.status).toBe(outcome === 'nets' ? 0 : 3);
       if (outcome === 'nets') expect(ended.stderr).toBe('');
       else expect(ended.stderr).toMatch(/^[^\n]+: [^\n]+\n$/);
       expect(violations).toEqual([]);
     },
-    limit + 10_000,
+    runLimit + 10_000,
   );
 });

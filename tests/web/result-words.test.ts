@@ -9,6 +9,7 @@ import type { JobResult } from '../../web/model/job.js';
 import { paperSizes } from '../../web/model/paper.js';
 import { resultNotices } from '../../web/model/result-notices.js';
 import type { StageSeconds } from '../../web/model/stage-seconds.js';
+import { english } from '../../web/words/en/index.js';
 import { boxAndLidResult } from './fixtures.js';
 
 const paper = paperSizes.find(({ name }) => name === 'A4')!;
@@ -24,7 +25,7 @@ const seconds: StageSeconds = {
 };
 
 function factOf(result: JobResult, name: string): string {
-  return resultFacts({ ...result, seconds }, 10).find(([label]) => label === name)![1];
+  return resultFacts(english, { ...result, seconds }, 10).find(([label]) => label === name)![1];
 }
 
 describe('the words of a result', () => {
@@ -35,20 +36,24 @@ describe('the words of a result', () => {
     const result = { ...boxAndLidResult(), repairs, notices };
     const why = 'halved, since two edges connected the same vertices.';
     const mended = parts.map((n) => `${n} ${n === 1 ? 'edge was' : 'edges were'} ${why}`);
-    expect(repairRemarks(result)).toEqual(mended);
-    const known = noticeRemarks(resultNotices(result, 10, []));
+    expect(repairRemarks(english, result)).toEqual(mended);
+    const known = noticeRemarks(english, resultNotices(result, 10, []));
     for (const part of parts) {
       expect(known.filter((line) => line.startsWith(`Part ${part} has faces`))).toHaveLength(1);
     }
   });
 
-  it('tell pieces and sheets, even of a run that was cancelled', () => {
+  it('tell pieces and sheets, even of a run that was stopped', () => {
     const result = boxAndLidResult();
-    expect(leadSentence(result, paper)).toMatch(/ on \d+ sheets? of A4\.$/);
+    expect(leadSentence(english, result, paper)).toMatch(/ on \d+ sheets? of A4\.$/);
     const [first] = result.pieces;
     const words =
-      '1 of 2 parts had their nets when the run was cancelled: 1 piece on 2 sheets of A4.';
-    expect(leadSentence({ ...result, pieces: [first!] }, paper)).toBe(words);
+      'Only 1 of 2 parts is whole: 1 piece on 2 sheets of A4. ' +
+      'The other part is missing, so the model will have holes. Unfold again to get them all.';
+    expect(leadSentence(english, { ...result, pieces: [first!] }, paper)).toBe(words);
+    expect(leadSentence(english, { ...result, pieces: [] }, paper)).toMatch(
+      /^None of 2 parts is whole: .* The other 2 parts are missing/,
+    );
   });
 
   it('tell what there is to glue and how much of the paper is used', () => {

@@ -2,9 +2,11 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
 import { makeDoor } from '../../web/api/door.js';
-import type { Applied, Session } from '../../web/api/session.js';
+import type { Applied } from '../../web/api/edit-plan.js';
+import type { Session } from '../../web/api/session.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
+import type { Piece } from '../../web/model/job.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import type { ModelFile } from '../../web/model/model-files.js';
 import { checkFold } from './fold-check.js';
@@ -256,7 +258,7 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       await made(session, edit);
     }));
 
-  it('keeps the nets of a run that is ended, if asked to, and goes on from them', () =>
+  it('keeps the nets of a run that is stopped, and goes on from them', () =>
     withThreads(1, async (pool) => {
       const session = await door(pool).open(files, { pool: () => pool });
       const abort = new AbortController();
@@ -273,7 +275,7 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       const end = (event: TimedEvent): void => {
         if (event.type === 'stage' && event.stage === 'paper') second.abort();
       };
-      await session.run(options, { signal: second.signal, onEvent: end, keepBest: true });
+      await session.run(options, { stop: second.signal, onEvent: end });
       const found = await session.result();
       expect(found.parts).toBe(4);
       expect(found.pieces.length).toBeGreaterThan(0);
@@ -285,6 +287,33 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       expect([session.position, session.lastStep]).toEqual([0, null]);
       expect(session.nextStep).toHaveLength(1);
       expect((await session.state()).result).toBe(found);
+    }));
+
+  it('keeps what there is of an edit that is stopped, as a state like any other', () =>
+    withThreads(1, async (pool) => {
+      const session = await door(pool).open(files, { pool: () => pool });
+      await session.run(options);
+      const whole = await session.result();
+      const control = new AbortController();
+      // The parts that the edit leaves alone are told of first; the other one may be found meanwhile.
+      const heard = new Set<string>();
+      const onEvent = ({ type }: TimedEvent): void => {
+        heard.add(type);
+        if (type === 'net') control.abort();
+      };
+      const edit = { kind: 'again', part: 1, seed: 5 } as const;
+      const applied = await session.apply(edit, { stop: control.signal, onEvent });
+      expect(applied).toMatchObject({ ok: true });
+      const found = await session.result();
+      const others = whole.pieces.filter(({ part }) => part !== 0);
+      expect(heard.has('cancelled') && !heard.has('done')).toBe(true);
+      const kept = (pieces: Piece[]): string[] => pieces.map(({ sources }) => sources.join());
+      expect(kept(found.pieces)).toEqual(expect.arrayContaining(kept(others)));
+      expect([session.position, session.lastStep]).toEqual([1, [edit]]);
+      session.undo();
+      expect(await session.result()).toBe(whole);
+      session.redo();
+      expect(await session.result()).toBe(found);
     }));
 
   it('asks for workers only when there is work for them', async () => {

@@ -4,6 +4,7 @@ import { bandOf } from '../../web/model/sheet-room.js';
 import { FreeSpace } from '../../web/export/free-space.js';
 import { widthAtMost, type TextLine } from '../../web/export/text-line.js';
 import { paperSizes } from '../../web/model/paper.js';
+import { english } from '../../web/words/en/index.js';
 import type { Point } from './sheet-file.js';
 
 /** Corners of the box that a text takes at most. */
@@ -27,7 +28,7 @@ describe('frameSheet', () => {
   it.each(sheets)('keeps off the pieces and the edge: $name', ({ width, height }) => {
     for (const margin of margins) {
       const { from, to } = bandOf(margin);
-      const words = { title: 'A long name '.repeat(9), note: 'n'.repeat(30) };
+      const words = { title: 'A long name '.repeat(9), note: 'n'.repeat(30), words: english };
       const { strokes, texts } = frameSheet({ width, height, margin, ...words, ends: 0 });
       const boxes = [...strokes.map(({ points }) => points), ...texts.map(cornersOf)];
       for (const points of boxes) {
@@ -49,7 +50,7 @@ describe('frameSheet', () => {
 
   it('has shorter rulers on small paper', () => {
     const plan = { width: 90, height: 60, margin: 5, title: 'box', note: 'sheet 1 of 1', ends: 0 };
-    const { texts } = frameSheet(plan);
+    const { texts } = frameSheet({ ...plan, words: english });
     const mark = ['this side', 'is outside'];
     const words = ['40 mm', '5 mm', '10 mm', ...mark, 'box', 'sheet 1 of 1'];
     expect(texts.map(({ text }) => text)).toEqual(words);

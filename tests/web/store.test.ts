@@ -1,4 +1,7 @@
-/** The studio's state: commands, and what the page shows after them; without a page and an engine. */
+/**
+ * The studio's state: commands, and what the page shows after them; without a page and an engine. Longer than other
+ * files: all of it is about one object.
+ */
 import { describe, expect, it, vi } from 'vitest';
 import { UnusableChoice, type ChosenModel } from '../../web/app/model-file.js';
 import { Store } from '../../web/app/store.js';
@@ -133,6 +136,68 @@ describe('a run', () => {
     }
   });
 
+  it('can be stopped once it has found a net, for what is there or for nothing', async () => {
+    const bench = new Bench();
+    const { store } = bench;
+    const changes = vi.fn();
+    store.on('work', changes);
+    await store.choose(Promise.resolve(file('ring.obj')));
+    for (const hasNets of [false, true]) {
+      const run = store.unfold(settings, fields);
+      await settle();
+      store.stop();
+      expect([store.work, store.canStop]).toEqual(['running', false]);
+      changes.mockClear();
+      bench.session.say({ type: 'net', part: 0, piece: 0 });
+      expect([changes.mock.calls.length, store.canStop]).toEqual([1, true]);
+      bench.session.isFruitful = hasNets;
+      store.stop();
+      expect(store.canStop).toBe(false);
+      expect(await run).toMatchObject(
+        hasNets ? { type: 'shown', isWhole: false } : { type: 'empty' },
+      );
+    }
+    expect(store.scene).toBe('result');
+  });
+
+  it('that lacked parts lets its edits be stopped, too', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    const change = async (): Promise<unknown> => {
+      const changed = store.apply([split]);
+      await settle();
+      bench.session.say({ type: 'net', part: 0, piece: 0 });
+      if (store.canStop) store.stop();
+      else bench.session.goOn();
+      return changed;
+    };
+    expect(store.canStop).toBe(false);
+    // Nothing is missing: an edit is made or not.
+    expect(await change()).toMatchObject({ type: 'shown' });
+    expect(store.canStop).toBe(false);
+    const { pieces } = store.run!.result;
+    pieces.pop();
+    bench.session.isFruitful = false;
+    expect(await change()).toEqual({ type: 'empty' });
+    bench.session.isFruitful = true;
+    expect(await change()).toMatchObject({ type: 'shown' });
+    expect(store.work).toBe('idle');
+  });
+
+  it('that is cancelled after it was stopped keeps nothing', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    const { run: before } = store;
+    const run = store.unfold(settings, fields);
+    await settle();
+    bench.session.say({ type: 'net', part: 0, piece: 0 });
+    bench.session.isSlow = true;
+    store.stop();
+    store.cancel();
+    expect(await run).toEqual({ type: 'cancelled' });
+    expect(store.run).toBe(before);
+  });
+
   it('takes over from the one before, and drops what that one draws', async () => {
     const bench = new Bench();
     const { store } = bench;
@@ -157,7 +222,7 @@ describe('a run', () => {
 });
 
 describe('a look at the model', () => {
-  const whole = { faces: 'off', up: 'guess' } as const;
+  const whole = { faces: 'off', up: 'guess', fillHoles: 'off', inside: 'keep' } as const;
   /** Of a model of so many triangles. */
   const found = (count: number) => ({
     model: { vertices: new Float32Array(9), faces: new Int32Array(3 * count) },
@@ -237,7 +302,9 @@ describe('a choice', () => {
     const slow = store.choose(settle().then(() => file('slow.obj')));
     expect(await store.choose(Promise.resolve(file('quick.obj')))).toBe(true);
     expect(await slow).toBe(false);
-    await expect(store.choose(Promise.reject(new UnusableChoice('empty')))).rejects.toThrow();
+    await expect(
+      store.choose(Promise.reject(new UnusableChoice(({ choice }) => choice.noFile))),
+    ).rejects.toThrow();
     expect(store.choice.model?.name).toBe('quick.obj');
   });
 });
@@ -311,6 +378,74 @@ describe('edits', () => {
     await bench.goOn();
     expect([(await change).type, (await run).type]).toEqual(['cancelled', 'shown']);
     expect([bench.parts, session!.position, store.undoable]).toEqual([4, 0, null]);
+  });
+});
+
+describe('a model that takes the place of another one', () => {
+  /** A bench whose ring has two edits, of which a corrected one has taken over what fits. */
+  async function replacedBench(): Promise<Bench> {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    for (const edit of [split, named(1, 'Head')]) {
+      const made = store.apply([edit]);
+      await bench.goOn();
+      await made;
+    }
+    await store.choose(Promise.resolve(file('ring2.obj')));
+    const replacing = store.replace();
+    // The run, and then each edit.
+    for (let i = 0; i < 3; ++i) await bench.goOn();
+    const { ending, carried } = await replacing;
+    expect(ending).toMatchObject({ type: 'shown', isWhole: true });
+    expect(carried).toEqual({ kept: 2, lost: [] });
+    return bench;
+  }
+
+  it('is unfolded with the same options, gets the edits, and gives way by one undo', async () => {
+    const { store } = await replacedBench();
+    expect([store.run!.model.name, store.run!.result.parts]).toEqual(['ring2.obj', 5]);
+    expect(store.choice.model?.name).toBe('ring2.obj');
+    expect(store.undoable).toEqual([]);
+    await store.undo();
+    expect([store.run!.model.name, store.run!.result.parts]).toEqual(['ring.obj', 5]);
+    expect(store.choice.model?.name).toBe('ring.obj');
+    expect(store.undoable).toEqual([named(1, 'Head')]);
+    expect(store.redoable).toEqual([]);
+    await store.undo();
+    expect(store.undoable).toEqual([split]);
+    expect(store.redoable).toEqual([named(1, 'Head')]);
+    await store.redo();
+    await store.redo();
+    expect([store.run!.model.name, store.choice.model?.name]).toEqual(['ring2.obj', 'ring2.obj']);
+    expect(store.redoable).toBe(null);
+  });
+
+  it('is gone when the one before is edited', async () => {
+    const bench = await replacedBench();
+    const { store } = bench;
+    await store.undo();
+    const made = store.apply([named(2, 'Tail')]);
+    await settle();
+    bench.sessions[0]!.goOn();
+    expect(await made).toMatchObject({ type: 'shown' });
+    expect([store.run!.model.name, store.redoable]).toEqual(['ring.obj', null]);
+    expect(bench.names).toEqual(['0 Head', '1 Tail']);
+  });
+
+  it('leaves all as it was when its run fails or is cancelled', async () => {
+    const bench = await unfoldedBench();
+    const { store } = bench;
+    await store.choose(Promise.resolve(file('bad.obj')));
+    const failing = store.replace();
+    await bench.goOn(new JobError('no-faces', {}));
+    expect((await failing).ending).toMatchObject({ type: 'failed', cause: 'file' });
+    expect([store.run!.model.name, store.choice.model?.name]).toEqual(['ring.obj', 'ring.obj']);
+    await store.choose(Promise.resolve(file('ring2.obj')));
+    const left = store.replace();
+    await settle();
+    store.cancel();
+    expect((await left).ending).toEqual({ type: 'cancelled' });
+    expect([store.scene, store.run!.model.name]).toEqual(['result', 'ring.obj']);
   });
 });
 

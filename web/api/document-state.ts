@@ -1,5 +1,6 @@
 /** What a document is at one point of its history. */
 import type { TimedResult } from '../core/client.js';
+import type { JobStart } from '../model/job.js';
 import { jobOptions, printOptions, type Settings } from '../model/options.js';
 import type {
   EdgeLock,
@@ -23,6 +24,8 @@ export interface Wishes {
 export interface DocumentState {
   wishes: Wishes;
   result: TimedResult;
+  /** Where the last stage alone may make the result again; absent where that cannot be. */
+  start?: JobStart;
 }
 
 /** All that was asked for before the first edit. */

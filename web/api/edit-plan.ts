@@ -7,9 +7,16 @@ import type { Message, MessageParams } from '../model/message.js';
 import { isPinOf } from '../model/piece-edits.js';
 import { BadOption } from '../words/bad-option.js';
 import type { Code, Messages } from '../words/messages.js';
-import { phraseOf } from '../words/phrase.js';
+import { englishPhrase } from '../words/phrase.js';
 import type { DocumentState, Wishes } from './document-state.js';
 import { changedSettings, paperOptions, printOptionNames } from './written-options.js';
+
+/** An edit that was made. */
+export interface Applied {
+  ok: true;
+  /** Pieces that were not there before, counted from 1 in the order of gluing. */
+  changed: number[];
+}
 
 /** Why an edit cannot be made; nothing was changed. */
 export interface Refusal {
@@ -44,7 +51,7 @@ export function refusal<Name extends Code>(
 
 /** The refusal that a message tells, of whatever code. */
 export function refusalOf({ code, params }: Message, faces?: Iterable<number>): Refusal {
-  const text = phraseOf({ code, params });
+  const text = englishPhrase({ code, params });
   return { ok: false, code, params: { ...params, text, ...(faces && { faces: [...faces] }) } };
 }
 

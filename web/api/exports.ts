@@ -13,6 +13,6 @@ export { BadOption } from '../words/bad-option.js';
 export type { Options } from './written-options.js';
 export type { Door, OpenOptions, Unfolded } from './door.js';
 export type { Inspection } from './inspect.js';
-export type { Refusal } from './edit-plan.js';
-export { Session, type Applied } from './session.js';
+export type { Applied, Refusal } from './edit-plan.js';
+export { Session } from './session.js';
 export type { RunWork, WorkOptions } from './work.js';

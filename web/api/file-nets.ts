@@ -11,13 +11,13 @@ import type { Code, Messages } from '../words/messages.js';
 import { jobOf, type Wishes } from './document-state.js';
 import { inspectModel } from './inspect.js';
 import type { OpenedModel } from './opened-model.js';
-import type { WorkOptions } from './work.js';
+import type { RunWork, WorkOptions } from './work.js';
 
 /** The first job of a document. */
 export interface Beginning {
   /** As they are after it: with the flaps and the size of the file. */
   readonly wishes: Wishes;
-  run(work: WorkOptions): Promise<TimedResult>;
+  run(work: RunWork): Promise<TimedResult>;
 }
 
 /** A way to begin that may turn out to be none. */
@@ -57,7 +57,7 @@ class Jobs {
   async run(
     options: JobOptions,
     notices: readonly Message[],
-    work: WorkOptions & { start?: JobStart },
+    work: RunWork & { start?: JobStart },
   ): Promise<TimedResult> {
     const result = await this.opened.run(options, work);
     return { ...result, notices: [...notices, ...result.notices] };
@@ -104,7 +104,7 @@ class FirstPossible implements Beginning {
     return this.chosen.wishes;
   }
 
-  async run(work: WorkOptions): Promise<TimedResult> {
+  async run(work: RunWork): Promise<TimedResult> {
     for (const way of this.ways.slice(0, -1)) {
       this.chosen = way;
       const result = await this.tried(way, work);
@@ -116,7 +116,7 @@ class FirstPossible implements Beginning {
   }
 
   /** Null where nets run through flat faces, which the engine does not take. */
-  private async tried(way: Way, work: WorkOptions): Promise<TimedResult | null> {
+  private async tried(way: Way, work: RunWork): Promise<TimedResult | null> {
     try {
       return await way.run(work);
     } catch (error) {

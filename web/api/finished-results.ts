@@ -43,7 +43,8 @@ export class FinishedResults {
 
   ofEvent(event: TimedEngineEvent): TimedEvent {
     if (event.type === 'model') return { ...event, file: this.model?.name ?? event.file };
-    if (event.type === 'done') return { ...event, result: this.of(event.result) };
+    if (event.type === 'done' || event.type === 'draft')
+      return { ...event, result: this.of(event.result) };
     if (event.type !== 'cancelled') return event;
     const { best, ...rest } = event;
     return best ? { ...rest, best: this.of(best) } : rest;

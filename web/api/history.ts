@@ -1,23 +1,42 @@
 /** The states of a document in their order, and which one is current. */
 import type { Report } from '../export/report.js';
 import type { DocumentEdit } from '../model/document-edits.js';
+import type { SavedState } from '../project/project.js';
 import { bytesOf, type DocumentState } from './document-state.js';
 import type { WorkOptions } from './work.js';
 
 /** Bytes of results that are kept: some hundred states of a thousand faces. */
 const mostBytes = 256 * 1024 * 1024;
 
-/** `before`: null for the first state. */
-type Remake = (before: DocumentState | null, work: WorkOptions) => Promise<DocumentState>;
+/** `before`: null for the first state. Null if the edits cannot be made any more. */
+export type Remake = (
+  before: DocumentState | null,
+  work: WorkOptions,
+) => Promise<DocumentState | null>;
 
-interface Step {
+/** A state, and how it comes about. */
+export interface HistoryStep {
   /** What made it of the step before. */
   edits: readonly DocumentEdit[];
   remake: Remake;
-  report: Report;
-  /** Null when its memory was needed. */
+  /** Null while it is not in memory. */
   state: DocumentState | null;
+  /** As projects keep it; null if only `remake` leads there. */
+  saved: SavedState | null;
+}
+
+interface Step extends HistoryStep {
+  /** Null until its state was first in memory. */
+  report: Report | null;
   bytes: number;
+}
+
+export interface HistoryTools {
+  reportOf(state: DocumentState): Report;
+  /** Makes a state of what was kept of it; null if that cannot be done. */
+  restore?(saved: SavedState, work: WorkOptions): Promise<DocumentState | null>;
+  /** Hears how many of the last steps could not be made again and are gone. */
+  refused?(count: number): void;
 }
 
 /**
@@ -25,15 +44,15 @@ interface Step {
  * cursor are dropped when there is no room, and made again when they are needed.
  */
 export class History {
-  private readonly steps: Step[];
-  private cursor = 0;
+  private readonly list: Step[];
 
+  /** @param cursor of the current state in the list */
   constructor(
-    first: DocumentState,
-    remake: Remake,
-    private readonly reportOf: (state: DocumentState) => Report,
+    steps: readonly HistoryStep[],
+    private cursor: number,
+    private readonly tools: HistoryTools,
   ) {
-    this.steps = [this.step([], first, remake)];
+    this.list = steps.map((step) => this.withFacts(step));
   }
 
   /** Of the current state in the list. */
@@ -42,17 +61,27 @@ export class History {
   }
 
   get edits(): readonly (readonly DocumentEdit[])[] {
-    return this.steps.slice(1, this.cursor + 1).map(({ edits }) => edits);
+    return this.list.slice(1, this.cursor + 1).map(({ edits }) => edits);
+  }
+
+  /** All edits, those that were undone as well. */
+  get steps(): readonly (readonly DocumentEdit[])[] {
+    return this.list.slice(1).map(({ edits }) => edits);
+  }
+
+  /** All states as projects keep them. */
+  get saved(): readonly (SavedState | null)[] {
+    return this.list.map(({ saved }) => saved);
   }
 
   /** What redo would make again; null if there is nothing. */
   get next(): readonly DocumentEdit[] | null {
-    return this.steps[this.cursor + 1]?.edits ?? null;
+    return this.list[this.cursor + 1]?.edits ?? null;
   }
 
-  /** The state that undo leads to; null if there is none, or it was dropped. */
+  /** The state that undo leads to; null if there is none, or it is not in memory. */
   get before(): DocumentState | null {
-    return this.steps[this.cursor - 1]?.state ?? null;
+    return this.list[this.cursor - 1]?.state ?? null;
   }
 
   get canUndo(): boolean {
@@ -60,52 +89,82 @@ export class History {
   }
 
   get canRedo(): boolean {
-    return this.cursor + 1 < this.steps.length;
+    return this.cursor + 1 < this.list.length;
   }
 
-  /** Of the current state. */
+  /** Of the current state. @throws Error if that was never in memory */
   get report(): Report {
-    return this.steps[this.cursor]!.report;
+    const { report } = this.list[this.cursor]!;
+    if (!report) throw new Error('This state was not computed yet: call result first');
+    return report;
   }
 
   /** Moves the cursor; false if there is no step there. */
   move(by: 1 | -1): boolean {
-    if (this.steps[this.cursor + by] === undefined) return false;
+    if (this.list[this.cursor + by] === undefined) return false;
     this.cursor += by;
     return true;
   }
 
   /** Takes in a state that follows the current one; what was undone is gone. */
-  add(edits: readonly DocumentEdit[], state: DocumentState, remake: Remake): void {
-    this.steps.length = this.cursor + 1;
-    this.steps.push(this.step(edits, state, remake));
+  add(step: HistoryStep): void {
+    this.list.length = this.cursor + 1;
+    this.list.push(this.withFacts(step));
     this.cursor += 1;
     this.dropFar();
   }
 
-  /** The current state; made again from the last one that is kept if need be. */
+  /** The current state; made again from the last one that can be had if need be. */
   async current(work: WorkOptions): Promise<DocumentState> {
     const wanted = this.cursor;
-    let from = wanted;
-    while (from > 0 && !this.steps[from]!.state) --from;
-    let state: DocumentState | null = null;
-    for (const step of this.steps.slice(from, wanted + 1)) {
-      state = step.state ?? (await step.remake(state, work));
+    let { at, state } = await this.lastKnown(wanted, work);
+    for (; at < wanted; ++at) {
+      const made = await this.list[at + 1]!.remake(state, work);
+      if (!made) return this.endAt(at, work);
+      state = made;
     }
-    this.steps[wanted]!.state = state;
-    this.dropFar();
+    this.take(this.list[wanted]!, state!);
     return state!;
   }
 
-  private step(edits: readonly DocumentEdit[], state: DocumentState, remake: Remake): Step {
+  /** The last state up to a step that is in memory or can be restored; before the first one there is none. */
+  private async lastKnown(
+    wanted: number,
+    work: WorkOptions,
+  ): Promise<{ at: number; state: DocumentState | null }> {
+    for (let at = wanted; at >= 0; --at) {
+      const step = this.list[at]!;
+      const { saved } = step;
+      const state = step.state ?? (saved && (await this.tools.restore?.(saved, work)));
+      if (state) return { at, state };
+    }
+    return { at: -1, state: null };
+  }
+
+  /** Goes on without the steps behind one, which cannot be made again. */
+  private endAt(last: number, work: WorkOptions): Promise<DocumentState> {
+    this.tools.refused?.(this.list.length - 1 - last);
+    this.list.length = last + 1;
+    this.cursor = last;
+    return this.current(work);
+  }
+
+  private take(step: Step, state: DocumentState): void {
+    if (!step.state) Object.assign(step, this.withFacts({ ...step, state }));
+    this.dropFar();
+  }
+
+  private withFacts(step: HistoryStep): Step {
+    const { state } = step;
+    if (!state) return { ...step, report: null, bytes: 0 };
     const { looks, ...rest } = state.result;
     // Pictures are the same ones in all states.
     const bytes = bytesOf([rest, looks?.surface]);
-    return { edits, remake, state, report: this.reportOf(state), bytes };
+    return { ...step, report: this.tools.reportOf(state), bytes };
   }
 
   private dropFar(): void {
-    const kept = this.steps
+    const kept = this.list
       .map((step, index) => ({ step, distance: Math.abs(index - this.cursor) }))
       .filter(({ step }) => step.state)
       .sort((a, b) => a.distance - b.distance);

@@ -8,7 +8,7 @@ import type { JobOptions } from '../model/job-options.js';
 import type { ModelFiles } from '../model/model-files.js';
 import type { ReadModel } from '../read/read-model.js';
 import { FinishedResults } from './finished-results.js';
-import type { WorkOptions } from './work.js';
+import type { RunWork } from './work.js';
 
 /** Fills in what the model's format says where the options leave it open. */
 function filledIn(options: JobOptions, { usual }: ReadModel): JobOptions {
@@ -36,10 +36,7 @@ export class OpenedModel {
   ) {}
 
   /** Rejects as `runJob` does, and with a `JobError` for files that give no model. */
-  async run(
-    options: JobOptions,
-    work: WorkOptions & Pick<RunOptions, 'start'>,
-  ): Promise<TimedResult> {
+  async run(options: JobOptions, work: RunWork & Pick<RunOptions, 'start'>): Promise<TimedResult> {
     const { model, finished } = await this.open(work.signal);
     const files = model ? [model.file] : this.files;
     const onEvent = (event: TimedEngineEvent): void => {

@@ -1,5 +1,5 @@
 import { editsFault, type DocumentEdit, type EditFault } from '../model/document-edits.js';
-import { editsFaultWords } from '../words/en-edits.js';
+import { english } from '../words/en/index.js';
 
 /** A list of edits that is none: `params` are for programs, the message is for people and names the edit. */
 export class BadEdit extends Error {
@@ -7,7 +7,7 @@ export class BadEdit extends Error {
   readonly code = 'bad-edit';
 
   constructor(readonly params: EditFault) {
-    super(editsFaultWords(params));
+    super(english.editsFault(params));
   }
 }
 

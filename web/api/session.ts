@@ -2,7 +2,6 @@ import { version } from '../../package.json';
 import type { TimedResult } from '../core/client.js';
 import { JobError, engineDied } from '../core/job-error.js';
 import type { Pool } from '../core/pool.js';
-import type { TimedEvent } from '../core/protocol.js';
 import { writeFiles } from '../export/files.js';
 import type { FontLoader } from '../export/font-loader.js';
 import type { RendererLoader } from '../export/renderer-loader.js';
@@ -11,11 +10,11 @@ import type { Print } from '../export/print.js';
 import { makeReport, type Report } from '../export/report.js';
 import { echo, type Settings } from '../model/options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
-import { startFrom } from '../model/edits.js';
+import { netKey, startAgain, startFrom } from '../model/edits.js';
 import type { JobResult, JobStart } from '../model/job.js';
 import type { JobOptions } from '../model/job-options.js';
-import { probableModel, type ModelFiles } from '../model/model-files.js';
-import { addSeconds } from '../model/stage-seconds.js';
+import { probableModel, titleOf, type ModelFiles } from '../model/model-files.js';
+import { projectEnding, type Project, type ReadProject } from '../project/project.js';
 import { changedSettings, defaultSettings, type Options } from './written-options.js';
 import { freshWishes, jobOf, printOf, type DocumentState } from './document-state.js';
 import {
@@ -23,22 +22,20 @@ import {
   refusal,
   refusalOf,
   settledWishes,
+  type Applied,
   type EditPlan,
   type Refusal,
 } from './edit-plan.js';
 import { beginningOf } from './file-nets.js';
-import { History } from './history.js';
+import { History, type Remake } from './history.js';
 import { inspectModel, type Inspection } from './inspect.js';
 import { OpenedModel } from './opened-model.js';
+import { OpenedProject } from './opened-project.js';
 import { readEdits } from './read-edits.js';
+import { outcome, together } from './run-outcome.js';
+import { savedState, savedSettings } from './saved-state.js';
 import type { RunWork, WorkOptions } from './work.js';
-
-/** An edit that was made. */
-export interface Applied {
-  ok: true;
-  /** Pieces that were not there before, counted from 1 in the order of gluing. */
-  changed: number[];
-}
+import { english } from '../words/en/index.js';
 
 /** What a session needs of where it runs. */
 export interface Surroundings {
@@ -55,9 +52,9 @@ const crashes: readonly string[] = [engineDied, 'internal', 'out-of-memory'];
 
 const nothing = 'Nothing was unfolded yet: call run first';
 
-/** Identifies the net of each piece by its faces and folds. */
+/** Identifies the net of each piece. */
 function netKeys({ nets, pieces }: TimedResult): string[] {
-  return nets.slice(0, pieces.length).map(({ faces, folds }) => `${faces.join()}|${folds.join()}`);
+  return nets.slice(0, pieces.length).map(netKey);
 }
 
 /**
@@ -72,12 +69,27 @@ export class Session {
   private fileName: string | null = null;
   private lastWork: Promise<unknown> = Promise.resolve();
   private readonly model: OpenedModel;
+  /** As the run was asked for. */
+  private asked: Settings | null = null;
 
+  /** @param read the project that is opened: its document is there at once, its result when it is first asked for */
   constructor(
     private readonly files: ModelFiles,
     private readonly surroundings: Surroundings,
+    read?: ReadProject,
   ) {
     this.model = new OpenedModel(files, surroundings.pool);
+    if (read) this.reopen(new OpenedProject(this.model, read));
+  }
+
+  /** The options of the run; null before the first one. @internal */
+  get settings(): Settings | null {
+    return this.asked;
+  }
+
+  /** All calls of `apply` that were made, those that were undone as well. @internal */
+  get steps(): readonly (readonly DocumentEdit[])[] {
+    return this.history?.steps ?? [];
   }
 
   /** Edits that were made and not undone, the first one first. */
@@ -115,7 +127,10 @@ export class Session {
     return this.history?.next ?? null;
   }
 
-  /** What came out, as the command line reports it. @throws Error before the first run */
+  /**
+   * What came out, as the command line reports it in English.
+   * @throws Error before the first run, and in an opened project before `result`
+   */
   get report(): Report {
     if (!this.history) throw new Error(nothing);
     return this.history.report;
@@ -128,7 +143,7 @@ export class Session {
    * Rejects as `run` does. Cost: about a second for 70,000 faces, mostly for reading and repairing.
    */
   inspect(
-    options: Pick<Options, 'faces' | 'up'> = {},
+    options: Pick<Options, 'faces' | 'up' | 'fillHoles' | 'inside'> = {},
     { signal }: Pick<WorkOptions, 'signal'> = {},
   ): Promise<Inspection> {
     return this.inTurn(async () => {
@@ -160,7 +175,7 @@ export class Session {
    */
   apply(
     edit: DocumentEdit | readonly DocumentEdit[],
-    work: WorkOptions = {},
+    work: RunWork = {},
   ): Promise<Applied | Refusal> {
     return this.inTurn(async () => {
       const edits = readEdits(Array.isArray(edit) ? edit : [edit]);
@@ -174,9 +189,13 @@ export class Session {
       if (this.history.position !== position) {
         return refusal('overtaken', {});
       }
-      this.history.add(edits, made, (state, more) => this.remake(state!, edits, more));
+      const { isWhole, state } = made;
+      // What an ended edit has found depends on when it was ended: it cannot be computed again.
+      const remake: Remake = (last, more) =>
+        isWhole ? this.remake(last!, edits, more) : Promise.resolve(state);
+      this.history.add({ edits, state, saved: savedState(state), remake });
       const old = new Set(netKeys(before.result));
-      const changed = netKeys(made.result).flatMap((key, i) => (old.has(key) ? [] : [i + 1]));
+      const changed = netKeys(state.result).flatMap((key, i) => (old.has(key) ? [] : [i + 1]));
       return { ok: true, changed };
     });
   }
@@ -209,6 +228,7 @@ export class Session {
   /**
    * Writes the nets: `pdf`, `svg`, `dxf` or `png` (a file for each sheet), `fold` or `glb` (the folding
    * as an animation). With options that concern sheets, size or flaps they are laid out for this alone.
+   * `foldwright` is the document itself, with its history, for `open`; it does not ask for options.
    */
   export(
     format: ExportFormat,
@@ -216,9 +236,22 @@ export class Session {
     work: WorkOptions = {},
   ): Promise<WrittenFile[]> {
     return this.inTurn(async () => {
+      if (format === 'foldwright') {
+        const { writeProject } = await import('../project/write-project.js');
+        return [{ name: this.title + projectEnding, bytes: writeProject(this.project()) }];
+      }
       const { state, print } = await this.printed(options, work);
       return writeFiles(format, { result: state.result, print, name: `${this.title}.${format}` });
     });
+  }
+
+  /** The document as it can be kept. @throws Error before the first run @internal */
+  project(): Project {
+    if (!this.history || !this.asked) throw new Error(nothing);
+    const { position: cursor, saved: states, steps } = this.history;
+    const { files, title: name } = this;
+    const options = savedSettings(this.asked);
+    return { app: version, name, files, options, steps, cursor, states };
   }
 
   /** Ends the session and the workers that were started for it. */
@@ -228,34 +261,64 @@ export class Session {
 
   /** Name of the model's file without its ending; before the first run, by what the files are called. */
   get title(): string {
-    const name = this.fileName ?? probableModel(this.files);
-    return name.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
+    return titleOf(this.fileName ?? probableModel(this.files));
   }
 
   private async begin(settings: Settings, work: RunWork): Promise<Report> {
     const beginning = await beginningOf(this.model, freshWishes(settings), work);
-    const run = (more: WorkOptions): Promise<TimedResult> => beginning.run(more);
+    const run = (more: RunWork): Promise<TimedResult> => beginning.run(more);
     const { result, isWhole } = await outcome(run, work);
     const { wishes } = beginning;
     this.fileName = result.file;
-    const first: DocumentState = { wishes, result };
+    this.asked = settings;
+    const stateOf = (made: TimedResult): DocumentState => {
+      return { wishes, result: made, start: startAgain(made, null) };
+    };
     // What an ended run has found depends on when it was ended: it cannot be computed again.
-    const remake = async (_: unknown, more: WorkOptions): Promise<DocumentState> =>
-      isWhole ? { wishes, result: await run(more) } : first;
-    this.history = new History(first, remake, (state) => this.reportOf(state));
+    const first: DocumentState = isWhole ? stateOf(result) : { wishes, result };
+    const remake: Remake = async (_, more) => (isWhole ? stateOf(await run(more)) : first);
+    this.history = new History([{ edits: [], remake, state: first, saved: savedState(first) }], 0, {
+      reportOf: (state) => this.reportOf(state),
+    });
     return this.history.report;
   }
 
-  /** A state that was dropped, from the one before. */
+  /** Takes the document of a project; nothing is computed yet. */
+  private reopen(opened: OpenedProject): void {
+    const { cursor, steps, states } = opened.project;
+    this.asked = opened.settings;
+    const remakes: Remake[] = [
+      (_, work) => opened.run(work),
+      ...steps.map(
+        (edits): Remake =>
+          (state, work) =>
+            this.remake(state!, edits, work),
+      ),
+    ];
+    const all = remakes.map((remake, i) => {
+      return { edits: steps[i - 1] ?? [], remake, state: null, saved: states[i] ?? null };
+    });
+    this.history = new History(all, cursor, {
+      reportOf: (state) => this.reportOf(state),
+      restore: async (saved, work) => {
+        const state = await opened.restore(saved, work);
+        if (state) this.fileName = state.result.file;
+        return state;
+      },
+      refused: (count) =>
+        opened.tell({ code: 'project-damaged', params: { what: 'refused', count } }),
+    });
+  }
+
+  /** A state that was dropped, from the one before; null if the engine refuses the edits now. */
   private async remake(
     before: DocumentState,
     edits: readonly DocumentEdit[],
     work: WorkOptions,
-  ): Promise<DocumentState> {
+  ): Promise<DocumentState | null> {
     const plan = planEdits(before, edits);
     const made = plan.ok ? await this.make(before, plan, work) : plan;
-    if ('ok' in made) throw new Error(`An edit cannot be made again: ${made.code}`);
-    return made;
+    return 'ok' in made ? null : made.state;
   }
 
   private async current(work: WorkOptions): Promise<DocumentState> {
@@ -287,24 +350,26 @@ export class Session {
   private async make(
     before: DocumentState,
     { wishes, start, seed }: EditPlan,
-    work: WorkOptions,
-  ): Promise<DocumentState | Refusal> {
-    if (!start) return { wishes, result: before.result };
+    work: RunWork,
+  ): Promise<{ state: DocumentState; isWhole: boolean } | Refusal> {
+    if (!start) return { state: { ...before, wishes }, isWhole: true };
     const options = { ...jobOf(wishes), ...(seed !== undefined && { seed }) };
     try {
-      const result = together(before.result, await this.job(options, start, work));
-      return { wishes: settledWishes(wishes, { result }), result };
+      const made = await outcome((more) => this.job(options, start, more), work);
+      const result = together(before.result, made.result);
+      const settled = { wishes: settledWishes(wishes, { result }), result };
+      const { isWhole } = made;
+      return {
+        state: isWhole ? { ...settled, start: startAgain(result, start) } : settled,
+        isWhole,
+      };
     } catch (error) {
       if (!(error instanceof JobError) || crashes.includes(error.code)) throw error;
       return refusalOf(error, error.faces);
     }
   }
 
-  private job(
-    options: JobOptions,
-    start: JobStart | null,
-    work: WorkOptions,
-  ): Promise<TimedResult> {
+  private job(options: JobOptions, start: JobStart | null, work: RunWork): Promise<TimedResult> {
     return this.model.run(options, { ...work, ...(start && { start }) });
   }
 
@@ -321,6 +386,7 @@ export class Session {
       result,
       printed: [],
       seconds: result.seconds,
+      words: english,
     });
   }
 
@@ -329,35 +395,4 @@ export class Session {
     this.lastWork = turn.catch(() => undefined);
     return turn;
   }
-}
-
-/** What a run comes to; the nets so far of one that was ended, if they shall be kept. */
-async function outcome(
-  run: (work: WorkOptions) => Promise<TimedResult>,
-  { keepBest = false, ...work }: RunWork,
-): Promise<{ result: TimedResult; isWhole: boolean }> {
-  let best: TimedResult | null = null;
-  const onEvent = (event: TimedEvent): void => {
-    if (event.type === 'cancelled' && event.best) best = { ...event.best, seconds: event.seconds };
-    work.onEvent?.(event);
-  };
-  try {
-    return { result: await run({ ...work, onEvent }), isWhole: true };
-  } catch (error) {
-    if (!keepBest || !best || !work.signal?.aborted) throw error;
-    return { result: best, isWhole: false };
-  }
-}
-
-/** A result, with what went into the one that it was made of. */
-function together(before: TimedResult, result: TimedResult): TimedResult {
-  const { generations, moves } = before.search;
-  return {
-    ...result,
-    search: {
-      generations: generations + result.search.generations,
-      moves: moves + result.search.moves,
-    },
-    seconds: addSeconds(before.seconds, result.seconds),
-  };
 }

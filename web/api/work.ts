@@ -8,14 +8,17 @@ export interface WorkOptions {
   onEvent?: (event: TimedEvent) => void;
   /** Whether `generation` events show the net under search now and then. */
   pictures?: boolean;
-  /** How long work that is ended may take to hand over what it has, in ms; 80 unless given. */
+  /** Whether `draft` events tell what could be printed already, once every part has a net. */
+  drafts?: boolean;
+  /** How long work that is ended by `signal` may take to answer, in ms; 80 unless given. */
   patience?: number;
 }
 
 export interface RunWork extends WorkOptions {
   /**
-   * Whether nets that were found before `signal` ended a run become the state, instead of the one
-   * before; if there are none, the run rejects as ever.
+   * Ends a run or an edit as `signal` does, but nets that there are by then become the state, instead of
+   * the one before; if there are none, it rejects with the reason of `stop`. Laying them on sheets may
+   * take seconds, which `signal` can end.
    */
-  keepBest?: boolean;
+  stop?: AbortSignal;
 }

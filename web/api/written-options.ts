@@ -32,6 +32,7 @@ export const paperOptions: ReadonlySet<string> = new Set([
   'margin',
   'flaps',
   'flap-angle',
+  'flap-style',
   'flap-side',
   'flap-borders',
   'glue-strips',
@@ -55,6 +56,7 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'fold-ticks',
   'duplex',
   'fold-angles',
+  'thickness',
   'legend',
   'assembly',
   'measured',
@@ -65,8 +67,10 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'flap-bleed',
 ] satisfies OptionName[]);
 
-const nameOf = (key: string): string =>
-  key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+/** The command line's name of an option. */
+export function nameOf(key: string): string {
+  return key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
 
 /** A value as the command line has it. */
 function writtenOf(value: unknown): string {
@@ -88,7 +92,7 @@ function parsed(name: string, value: unknown): unknown {
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
   const { assembly, duplex, lines, flatFold, foldAngles, foldTicks, legend, machine, dpi } = print;
-  const { texture, colour, flapBleed } = print;
+  const { texture, colour, flapBleed, thickness } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -109,6 +113,7 @@ export function lookOptions(print: PrintOptions): Options {
     foldTicks: foldTicks ? 'on' : 'off',
     duplex: duplex ? 'on' : 'off',
     foldAngles: foldAngles ? 'on' : 'off',
+    thickness: thickness === 0 ? 'off' : thickness,
     legend: legend ? 'on' : 'off',
     assembly: assembly ? 'on' : 'off',
     machine,

@@ -32,17 +32,13 @@ function hasModuleWorkers(): boolean {
   return asked;
 }
 
-/** A sentence that says what to do when this browser cannot run the engine; null when it can. */
-export function missingSupport(): string | null {
-  const able =
+/** Whether this browser can run the engine. */
+export function isSupported(): boolean {
+  return (
     typeof WebAssembly === 'object' &&
     typeof Worker === 'function' &&
     hasModuleWorkers() &&
     accepts(simdModule) &&
-    accepts(exceptionsModule);
-  if (able) return null;
-  return (
-    'This browser lacks module workers or WebAssembly with SIMD and exceptions, which the unfolding ' +
-    'needs. Chrome and Edge have them since version 95, Firefox since 114, Safari since 16.4.'
+    accepts(exceptionsModule)
   );
 }

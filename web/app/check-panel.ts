@@ -1,20 +1,14 @@
-import { faceLevels } from '../model/face-numbers.js';
+import { faceLevels, mostFaces } from '../model/face-numbers.js';
 import type { Settings } from '../model/options.js';
 import type { Check } from './check.js';
-import {
-  bodyWords,
-  boundWords,
-  large,
-  lookWords,
-  repairWords,
-  triangleWords,
-} from './check-words.js';
+import { bodyWords, lookWords, repairWords, triangleWords, wishWords } from './check-words.js';
 import { make } from './dom.js';
 import type { FacesField } from './faces-field.js';
+import { MendCheck } from './mend-check.js';
 import { NetsCheck } from './nets-check.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
-import type { SizeFields } from './size-fields.js';
+import type { OptionsForm } from './options-form.js';
 import { SizeCheck } from './size-check.js';
 
 /** Ends and steps of the slider: below is no shape, above no paper model. */
@@ -50,15 +44,20 @@ export class CheckPanel extends Panel {
   private readonly triangles = this.find('#check-triangles', HTMLElement);
   private readonly size: SizeCheck;
   private readonly nets: NetsCheck;
+  private readonly mending: MendCheck;
+  private readonly faces: FacesField;
+  /** What is in the lists. */
+  private listed: Check['repairs'] | null = null;
 
   constructor(
     place: StudioPlace,
-    private readonly faces: FacesField,
-    sizes: SizeFields,
+    { faces, mending, size }: Pick<OptionsForm, 'faces' | 'mending' | 'size'>,
     { onBack, onNets }: CheckListener,
   ) {
     super(place);
-    this.size = new SizeCheck(place, sizes);
+    this.faces = faces;
+    this.size = new SizeCheck(place, size);
+    this.mending = new MendCheck(place, mending);
     this.nets = new NetsCheck(place, onNets);
     this.slider.addEventListener('input', () => this.faces.set(this.slider.valueAsNumber));
     this.levels.addEventListener('click', ({ target }) => {
@@ -76,39 +75,50 @@ export class CheckPanel extends Panel {
   /** Makes the card anew for a model. @param canLeave whether there are nets to go back to */
   begin(check: Check, canLeave: boolean): void {
     this.back.hidden = !canLeave;
-    this.why.textContent = triangleWords(check.faces, check.proposal);
+    this.why.textContent = triangleWords(this.told, check.faces, check.proposal);
     this.levels.replaceChildren(...this.levelButtons(check));
     const most = Math.min(slider.most, Math.floor(check.faces / slider.step) * slider.step);
     Object.assign(this.slider, { min: slider.least, max: most, step: slider.step });
     this.find('#check-slider', HTMLElement).hidden = most <= slider.least;
     this.bound.hidden = check.isSearchable;
-    this.bound.textContent = check.isSearchable ? '' : boundWords(check.faces);
-    this.bodies.textContent = bodyWords(check.bodies, check.tinyBodies);
+    this.bound.textContent = check.isSearchable
+      ? ''
+      : this.told.check.tooMany(check.faces, mostFaces);
+    this.bodies.textContent = bodyWords(this.told, check.bodies, check.tinyBodies);
     this.bodies.hidden = this.bodies.textContent === '';
-    const { repaired, remaining } = repairWords(check.repairs);
-    fillList(this.repaired, repaired);
-    fillList(this.remaining, remaining);
     this.update(check);
   }
 
   /** Shows what the fields say now, and what the picture shows of it. */
   update(check: Check): void {
     const faces = this.faces.value;
+    const wish = wishWords(this.told, faces, check.faces);
     // Nets of a file fit its own triangles only.
     this.triangles.hidden = check.faces <= faceLevels[0] || check.nets === 'file';
     this.nets.update(check);
+    this.mending.update(check);
+    this.list(check.repairs);
     for (const button of this.levels.querySelectorAll('button')) {
       button.setAttribute('aria-pressed', String(button.value === String(faces)));
     }
     const shown = Math.min(faces === 'off' ? check.faces : faces, check.faces);
     this.slider.value = String(shown);
-    this.number.textContent = large(shown);
-    this.slider.setAttribute('aria-valuetext', wordsFor(faces, check));
+    this.number.textContent = this.told.speech.large(shown);
+    this.slider.setAttribute('aria-valuetext', wish);
     const seen = check.look ? check.look.model.faces.length / 3 : null;
-    const words = lookWords(seen, check.working, wordsFor(faces, check));
+    const words = lookWords(this.told, seen, check.working, wish);
     // Only what is new is spoken.
     if (this.look.textContent !== words) this.look.textContent = words;
     this.size.update(check.outline, check.nets);
+  }
+
+  /** Shows what was repaired and what was not. */
+  private list(repairs: Check['repairs']): void {
+    if (repairs === this.listed) return;
+    this.listed = repairs;
+    const { repaired, remaining } = repairWords(this.told, repairs);
+    fillList(this.repaired, repaired);
+    fillList(this.remaining, remaining);
   }
 
   private levelButtons(check: Check): HTMLButtonElement[] {
@@ -119,16 +129,11 @@ export class CheckPanel extends Panel {
         value: String(value),
         textContent: words,
       });
+    const { large } = this.told.speech;
     const levels = faceLevels.filter((level) => level < check.faces);
-    const whole = button('off', `as it is: ${large(check.faces)}`);
+    const whole = button('off', this.told.check.asItIs(check.faces));
     whole.disabled = !check.isSearchable;
     if (whole.disabled) whole.setAttribute('aria-describedby', this.bound.id);
     return [...levels.map((level) => button(level, large(level))), whole];
   }
-}
-
-/** A number of triangles as it is asked for. */
-function wordsFor(faces: Settings['faces'], check: Check): string {
-  const isAll = faces === 'off' || faces >= check.faces;
-  return isAll ? `all ${large(check.faces)} triangles` : `${large(faces)} triangles`;
 }

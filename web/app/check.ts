@@ -6,7 +6,13 @@ import { mostFaces, proposedFaces, usualFaces } from '../model/face-numbers.js';
 import type { Settings } from '../model/options.js';
 import { isUnmended } from './check-words.js';
 import type { ChosenModel } from './model-file.js';
-import { QuickLooks, type Aspect, type Looker, type OpenLooker } from './quick-looks.js';
+import {
+  QuickLooks,
+  type Aspect,
+  type Looker,
+  type OpenLooker,
+  type Wishes,
+} from './quick-looks.js';
 
 /** Simplified models that are kept, so that going back to one costs nothing. */
 const mostKept = 8;
@@ -17,7 +23,18 @@ export const tooManyFaces = 'too-many-faces';
 /** Triangles that a flat drawing has at most, as it is made in the page. */
 const mostOutlined = 2 * usualFaces;
 
-const keyOf = ({ faces, up }: Aspect): string => `${faces} ${up}`;
+/** A model is first looked at as it is: what can be mended of it is then known. */
+const unmended = { fillHoles: 'off', inside: 'keep' } as const;
+
+const keyOf = ({ faces, up, fillHoles, inside }: Aspect): string =>
+  `${faces} ${up} ${fillHoles} ${inside}`;
+
+/** Holes that can be filled, how many of them are small, and what that means: in percent of the model's length. */
+export interface FillableHoles {
+  count: number;
+  small: number;
+  smallPercent: number;
+}
 
 const faceCount = ({ model }: Inspection): number => model.faces.length / 3;
 
@@ -98,9 +115,9 @@ export class Check {
     return this.count > usualFaces && !this.isAsked ? proposedFaces : null;
   }
 
-  /** What was repaired and what cannot be. */
+  /** What was repaired and what cannot be, of the model as it was seen last. */
   get repairs(): Inspection['repairs'] {
-    return this.first?.repairs ?? [];
+    return this.shownLook?.repairs ?? [];
   }
 
   /** Separate bodies of the model. */
@@ -118,6 +135,19 @@ export class Check {
     if (!this.shownLook) return new Int32Array();
     const tiny = tinyComponents(this.shownLook);
     return this.shownLook.componentOfFaces.map((component) => (tiny.has(component) ? 0 : -1));
+  }
+
+  /** Holes of the model as it is; null without any. */
+  get holes(): FillableHoles | null {
+    const params = this.first?.repairs.find(({ code }) => code === 'open-holes')?.params;
+    if (!params) return null;
+    const [count, small] = [Number(params['count']), Number(params['small'])];
+    return { count, small, smallPercent: Number(params['small_percent']) };
+  }
+
+  /** Bodies that lie inside others, left out or not; some only do once holes are filled. */
+  get innerBodies(): number {
+    return Math.max(innerBodiesOf(this.first), innerBodiesOf(this.shownLook));
   }
 
   /** Pieces of the nets that the file brings along; 0 if it has none. */
@@ -139,22 +169,27 @@ export class Check {
   /** Whether someone should look before nets are searched. */
   get hasToDecide(): boolean {
     const isLarge = this.proposal !== null;
-    return isLarge || this.fileNets > 0 || this.tinyBodies > 0 || this.repairs.some(isUnmended);
+    // Large holes may well be meant: the lamp shade is to stay open.
+    const canBeMended = this.innerBodies > 0 || (this.holes?.small ?? 0) > 0;
+    const hasFaults = this.tinyBodies > 0 || this.first?.repairs.some(isUnmended) === true;
+    return isLarge || this.fileNets > 0 || canBeMended || hasFaults;
   }
 
   /**
    * Reads the model as it is, whatever number of triangles is asked for. Rejects with a `JobError` for one that
    * cannot be read, and with the signal's reason after an abort.
    */
-  async begin({ faces, up }: Aspect, signal: AbortSignal): Promise<void> {
+  async begin({ faces, up }: Wishes, signal: AbortSignal): Promise<void> {
     this.isAsked = faces !== 'off';
-    this.asked = keyOf({ faces: 'off', up });
+    const whole: Aspect = { faces: 'off', up, ...unmended };
+    this.asked = keyOf(whole);
     let refused = 0;
-    const look = await this.inspect({ faces: 'off', up }, signal).catch((error: unknown) => {
+    const look = await this.inspect(whole, signal).catch((error: unknown) => {
       refused = refusedFaces(error);
       if (refused === 0) throw error;
-      this.asked = keyOf({ faces: proposedFaces, up });
-      return this.inspect({ faces: proposedFaces, up }, signal);
+      const proposed = { ...whole, faces: proposedFaces };
+      this.asked = keyOf(proposed);
+      return this.inspect(proposed, signal);
     });
     this.first = this.shownLook = look;
     this.count = Math.max(refused, faceCount(look));
@@ -211,6 +246,12 @@ export class Check {
     }
     return look;
   }
+}
+
+function innerBodiesOf(look: Inspection | null): number {
+  const codes = ['inner-bodies', 'dropped-inner-bodies'];
+  const told = look?.repairs.find(({ code }) => codes.includes(code));
+  return Number(told?.params['count'] ?? 0);
 }
 
 /** Numbers of the components that are tiny. */

@@ -6,7 +6,7 @@ import { nextFrame } from './next-frame.js';
 import type { OptionsForm } from './options-form.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
-import type { Aspect } from './quick-looks.js';
+import type { Wishes } from './quick-looks.js';
 import type { Store } from './store.js';
 import type { Workshop } from './workshop.js';
 
@@ -31,7 +31,7 @@ export class Checking extends Panel {
   ) {
     super(place);
     const show = (isShown: boolean) => () => store.showCheck(isShown);
-    this.panel = new CheckPanel(place, form.faces, form.size, {
+    this.panel = new CheckPanel(place, form, {
       onBack: show(false),
       onNets: (nets) => this.choose(nets),
     });
@@ -46,13 +46,14 @@ export class Checking extends Panel {
   }
 
   /** What a person has asked for, whatever model is chosen. */
-  get ownAspect(): Aspect {
+  get ownWishes(): Wishes {
     return { faces: this.form.faces.own, up: this.form.size.upwards };
   }
 
   /** Sets the number of triangles that is proposed for a model, unless a person has asked for another one. */
   propose({ proposal }: Check): void {
     this.form.faces.forget();
+    this.form.mending.forget();
     if (proposal !== null && this.form.faces.value === 'off') this.form.faces.set(proposal);
   }
 
@@ -96,15 +97,18 @@ export class Checking extends Panel {
     this.look = check.look;
     if (!check.look) return;
     const { model } = check.look;
-    this.workshop.preview({ name: check.name, ...model, labels: check.tinyFaces, isSame });
+    // What lies inside is to be seen, and that it is gone.
+    const isGlass = check.innerBodies > 0;
+    this.workshop.preview({ name: check.name, ...model, labels: check.tinyFaces, isSame, isGlass });
   }
 
   /** A number that was asked for is seen a moment later. */
   private followForm(): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
-      const { faces, size } = this.form;
-      void this.store.preview({ faces: faces.value, up: size.upwards });
+      const { faces, mending, size } = this.form;
+      const { 'fill-holes': fillHoles, inside } = mending.value;
+      void this.store.preview({ faces: faces.value, up: size.upwards, fillHoles, inside });
     }, rest);
   }
 }

@@ -38,6 +38,12 @@ export class Choice {
     this.drop();
   }
 
+  /** Another one that was read before is chosen again. */
+  comeBack(model: ChosenModel): void {
+    this.readable = model;
+    this.drop();
+  }
+
   /** It is none, and is dropped: the one before is chosen again, if there is one. @param code why it is none */
   drop(code = ''): void {
     if (code === 'missing-files') this.incomplete = this.candidate;

@@ -56,10 +56,11 @@ export class ColourFields extends Panel {
   }
 
   private wordsFor({ machine }: PrintOptions, takesColours: boolean): string {
-    if (!takesColours) return 'This machine gets lines only.';
+    const { noColours, noLooks, noPartColours } = this.told.printing;
+    if (!takesColours) return noColours;
     if (machine === 'silhouette' && this.colours.value === 'part') {
-      return 'This machine would cut around these colours, so they are left out.';
+      return noPartColours;
     }
-    return this.hasLooks ? '' : 'This model comes without colours of its own.';
+    return this.hasLooks ? '' : noLooks;
   }
 }

@@ -1,4 +1,5 @@
-import { exportFormats } from '../export/formats.js';
+import { drawnFormats } from '../export/formats.js';
+import type { SheetRange } from '../model/sheet-range.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
@@ -13,9 +14,11 @@ export class DownloadBar extends Panel {
     place: StudioPlace,
     /** Called for a format that could not be written, with the reason if there is one to tell. */
     private readonly onFailure: (format: string, reason: string | null) => void,
+    /** Which sheets are wanted. */
+    private readonly chosen: () => SheetRange,
   ) {
     super(place);
-    for (const button of this.bar.querySelectorAll('button')) {
+    for (const button of this.bar.querySelectorAll<HTMLButtonElement>('[data-format]')) {
       button.addEventListener('click', () => void this.save(button));
     }
   }
@@ -28,13 +31,15 @@ export class DownloadBar extends Panel {
 
   private async save(button: HTMLButtonElement): Promise<void> {
     const { writer } = this;
-    const format = exportFormats.find((name) => name === button.dataset['format']);
+    const format = drawnFormats.find((name) => name === button.dataset['format']);
     if (!writer || !format || button.getAttribute('aria-busy') === 'true') return;
     const obstacle = writer.obstacle(format);
-    if (obstacle !== null) return this.onFailure(format.toUpperCase(), obstacle);
+    if (obstacle !== null) {
+      return this.onFailure(format.toUpperCase(), this.told.optionFault(obstacle));
+    }
     button.setAttribute('aria-busy', 'true');
     try {
-      const { name, content, mediaType } = await writer.file(format);
+      const { name, content, mediaType } = await writer.file(format, this.chosen());
       saveFile(name, content, mediaType);
     } catch (error) {
       console.error(error);

@@ -7,7 +7,7 @@ type Callbacks<Value> = (resolve: (value: Value) => void, reject: (error: Error)
 /** Waits for what the older interface of folders gives to callbacks. */
 function given<Value>(name: string, ask: Callbacks<Value>): Promise<Value> {
   return new Promise<Value>(ask).catch(() => {
-    throw new UnusableChoice(`“${name}” cannot be read: it was moved, or may not be opened.`);
+    throw new UnusableChoice(({ choice }) => choice.unreadableDrop(name));
   });
 }
 

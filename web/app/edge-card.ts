@@ -1,5 +1,6 @@
 import type { EdgeAction } from '../model/edge-edits.js';
 import type { StudioPlace } from './place.js';
+import type { PlaceWalk } from './place-walk.js';
 import { onPress } from './press.js';
 import { SheetCard } from './sheet-card.js';
 
@@ -15,7 +16,7 @@ export interface EdgeCardContent {
   /** What came of the last change, or why it was not made. */
   outcome: string;
   /** What the walk through several places is about, and where it is; null outside of one. */
-  walk: { words: string; isLong: boolean } | null;
+  walk: Pick<PlaceWalk, 'wordsIn' | 'isLong'> | null;
 }
 
 export interface EdgeCardListener {
@@ -58,7 +59,7 @@ export class EdgeCard extends SheetCard {
       this.outcome.textContent = content.outcome;
       this.gift.textContent = content.gift;
       this.walk.hidden = content.walk === null;
-      this.walkWords.textContent = content.walk?.words ?? '';
+      this.walkWords.textContent = content.walk?.wordsIn(this.told) ?? '';
       for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
       for (const button of this.buttons) {
         button.hidden = !content.actions.includes(button.dataset['action'] as EdgeAction);

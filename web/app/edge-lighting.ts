@@ -10,13 +10,17 @@ import type { LockSign } from '../view/lock-signs.js';
 export type LocksBySheet = ReadonlyMap<number, LockSign[]>;
 
 /** The signs of locked edges; a cut has one at each of its sides. */
-export function lockSigns(edges: SheetEdges, locks: readonly EdgeLock[]): LocksBySheet {
+export function lockSigns(
+  titles: Readonly<Record<'fold' | 'cut', string>>,
+  edges: SheetEdges,
+  locks: readonly EdgeLock[],
+): LocksBySheet {
   const signs = new Map<number, LockSign[]>();
   for (const { from: v, to: w, as } of locks) {
     const edge = edges.find([v, w]);
     const partner = edge && edges.partnerOf(edge);
     for (const { sheet, from, to } of [edge, partner].filter((one) => one !== null)) {
-      signs.set(sheet, [...(signs.get(sheet) ?? []), { as, from, to }]);
+      signs.set(sheet, [...(signs.get(sheet) ?? []), { as, title: titles[as], from, to }]);
     }
   }
   return signs;

@@ -5,6 +5,7 @@ import type { EdgeLock } from '../model/job-options.js';
 import { SheetEdges, type SheetEdge } from '../model/sheet-edges.js';
 import type { Vector } from '../model/vector.js';
 import { findingsOn, type Finding } from '../model/verdict.js';
+import { phraseOf } from '../words/phrase.js';
 import { findingWords } from '../words/verdict.js';
 import { EdgeCard } from './edge-card.js';
 import {
@@ -17,15 +18,7 @@ import {
   type LightsBySheet,
   type LocksBySheet,
 } from './edge-lighting.js';
-import {
-  edgeWords,
-  flapWords,
-  giftWords,
-  lockWords,
-  outcomeWords,
-  pieceWords,
-  type EdgeOutcome,
-} from './edge-words.js';
+import { edgeWords, giftWords, outcomeWords, pieceWords, type EdgeOutcome } from './edge-words.js';
 import type { Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
 import { Panel } from './panel.js';
@@ -102,7 +95,7 @@ export class EdgeTool extends Panel {
     this.locks = locks;
     this.piece = null;
     this.walk = this.walkAfter(run);
-    this.listener.lock(lockSigns(this.edges, locks));
+    this.listener.lock(lockSigns(this.told.edges.lockSigns, this.edges, locks));
     this.chosen = this.chosen && this.edges.find(this.chosen.name);
     this.pointed = null;
     this.line.textContent = '';
@@ -115,7 +108,7 @@ export class EdgeTool extends Panel {
     const edge = place && this.edgeAt(place);
     if (edge !== this.pointed) {
       this.pointed = edge;
-      this.line.textContent = edge && this.edges ? edgeWords(this.edges, edge) : '';
+      this.line.textContent = edge && this.edges ? edgeWords(this.told, this.edges, edge) : '';
       this.light();
     }
     return edge !== null;
@@ -127,7 +120,11 @@ export class EdgeTool extends Panel {
     if (this.walk?.code !== finding.code) {
       const places = placesOf(finding, this.edges);
       if (places.length === 0) return;
-      this.walk = new PlaceWalk(finding.code, findingWords(finding).title, places);
+      this.walk = new PlaceWalk(
+        finding.code,
+        findingWords(this.told.verdict, finding).title,
+        places,
+      );
     }
     this.step(1);
   }
@@ -140,7 +137,9 @@ export class EdgeTool extends Panel {
     const { walk, edges } = this;
     if (!walk || !edges) return null;
     const finding = findingsOn(result, settings.margin).find(({ code }) => code === walk.code);
-    return finding ? walk.resumed(findingWords(finding).title, placesOf(finding, edges)) : null;
+    return finding
+      ? walk.resumed(findingWords(this.told.verdict, finding).title, placesOf(finding, edges))
+      : null;
   }
 
   /** Chooses the edge at a place; false if there is none. */
@@ -175,7 +174,7 @@ export class EdgeTool extends Panel {
     this.close();
     if (this.listener.findOther(text)) return;
     this.listener.alone();
-    const words = `No edge and no piece is called ${text}.`;
+    const words = this.told.edges.notFound(text);
     this.card.show({ words, ...nothing });
   }
 
@@ -216,9 +215,9 @@ export class EdgeTool extends Panel {
     // Who has chosen another edge meanwhile sees what came of it on the sheets.
     if (this.chosen?.modelEdge !== chosen.modelEdge) return;
     const { state: after } = this;
-    if (ending.type === 'refused') this.outcome = sentence(ending.refusal.params.text);
+    if (ending.type === 'refused') this.outcome = sentence(phraseOf(this.told, ending.refusal));
     else if (ending.type === 'shown' && before && after) {
-      this.outcome = outcomeWords({ action, before, after });
+      this.outcome = outcomeWords(this.told, { action, before, after });
     } else this.outcome = '';
     this.show();
   }
@@ -237,15 +236,16 @@ export class EdgeTool extends Panel {
   private show(): void {
     const { edges, chosen, piece, outcome, lock, walk } = this;
     const { busy } = this.store;
+    const { edges: told } = this.told;
     if (edges && piece !== null) {
-      const words = `${pieceWords(edges.result.pieces[piece]!)}.`;
+      const words = sentence(pieceWords(this.told, edges.result.pieces[piece]!));
       return this.card.show({ ...nothing, words, walk });
     }
     if (!edges || !chosen) return this.card.show(null);
-    const flap = chosen.kind === 'cut' ? flapWords[flapPlace(edges, chosen)] : '';
-    const words = [`${edgeWords(edges, chosen)}.`, flap, lockWords[lock]];
+    const flap = chosen.kind === 'cut' ? told.flaps[flapPlace(edges, chosen)] : '';
+    const words = [sentence(edgeWords(this.told, edges, chosen)), flap, told.locks[lock]];
     const actions = [...edgeEdits(edges, chosen, lock).keys()];
-    const gift = giftWords(edges, chosen);
+    const gift = giftWords(this.told, edges, chosen);
     const text = words.filter(Boolean).join(' ');
     this.card.show({ words: text, actions, busy, gift, outcome, walk });
   }

@@ -1,9 +1,8 @@
-import type { DocumentEdit, FlapChoiceSide, LockKind } from '../model/document-edits.js';
+import type { DocumentEdit } from '../model/document-edits.js';
 import type { JobResult } from '../model/job.js';
 import { layingOf } from '../model/piece-edits.js';
 import { printedText, SheetEdges } from '../model/sheet-edges.js';
-
-type Kind = DocumentEdit['kind'];
+import type { Words } from '../words/words.js';
 
 /** An edit at one edge. */
 type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' | 'lock' }>;
@@ -11,84 +10,41 @@ type EdgeEdit = Extract<DocumentEdit, { kind: 'cut' | 'join' | 'flap' | 'lock' }
 /** An edit of where one piece lies. */
 type PieceEdit = Extract<DocumentEdit, { kind: 'place' | 'unpin' }>;
 
-/** Of the kinds that are about neither parts nor one edge or piece of the result. */
-const words: Readonly<
-  Record<
-    Exclude<
-      Kind,
-      | 'split'
-      | 'merge'
-      | 'again'
-      | 'assign'
-      | 'name'
-      | 'paper'
-      | EdgeEdit['kind']
-      | PieceEdit['kind']
-    >,
-    string
-  >
-> = {
-  print: 'change of look',
-};
-
-const flapWords: Readonly<Record<FlapChoiceSide, (edge: string) => string>> = {
-  first: (edge) => `flap of ${edge} turned`,
-  second: (edge) => `flap of ${edge} turned`,
-  both: (edge) => `flaps on both sides of ${edge}`,
-  none: (edge) => `flap of ${edge} taken away`,
-  auto: (edge) => `flap of ${edge} as usual`,
-};
-
-const lockWords: Readonly<Record<LockKind, string>> = {
-  fold: 'never cut',
-  cut: 'always cut',
-  free: 'lock taken away',
-};
-
 /** What an edit of paper changes, by the options that it has; each stands for a kind. */
-const paperWords: Readonly<Record<string, string>> = {
+const paperKinds: Readonly<Record<string, keyof Words['changes']['paper']>> = {
   height: 'size',
   width: 'size',
   depth: 'size',
   scale: 'size',
   sheets: 'size',
-  glueStrips: 'strips of paper',
-  ids: 'edge numbers',
+  glueStrips: 'strips',
+  ids: 'numbers',
 };
 
 /** Names an edit at an edge by what the edge is in a result before or after it. */
-function edgeEditWords(edit: EdgeEdit, result: JobResult): string {
+function edgeEditWords({ changes }: Words, edit: EdgeEdit, result: JobResult): string {
   const edge = new SheetEdges(result).find(edit.edge);
   const piece = edge ? result.pieces[edge.piece]!.name : null;
   const number = edge && printedText(edge);
   switch (edit.kind) {
     case 'cut':
-      return piece === null ? 'cut' : `cut in ${piece}`;
+      return changes.cut(piece);
     case 'join':
-      return piece === null ? 'fold made' : `fold made in ${piece}`;
+      return changes.join(piece);
     case 'flap':
-      return flapWords[edit.side](number ?? 'an edge');
-    case 'lock': {
-      const place = number === null ? (piece ? ` in ${piece}` : '') : ` at ${number}`;
-      return `${lockWords[edit.as]}${place}`;
-    }
+      return changes.flap[edit.side](number);
+    case 'lock':
+      return changes.lock(edit.as, number, piece);
   }
 }
 
 /** What an edit of where a piece lies does, in the result before it. */
-export function pieceEditWords(edit: PieceEdit, result: JobResult): string {
+function pieceEditWords({ changes }: Words, edit: PieceEdit, result: JobResult): string {
   const piece = result.pieces[edit.piece - 1];
-  const name = piece?.name ?? 'a piece';
-  if (edit.kind === 'unpin') return `let ${name} move`;
+  const name = piece?.name ?? null;
+  if (edit.kind === 'unpin') return changes.unpin(name);
   const place = { sheet: edit.sheet - 1, x: edit.x_mm, y: edit.y_mm, turn: edit.turn_deg };
-  const laying = piece ? layingOf(piece, place) : 'moved';
-  return laying === 'kept' ? `kept ${name} in place` : `${laying} ${name}`;
-}
-
-/** "part 3", "parts 1 and 2"; parts count from 1. */
-function partNumbers(parts: readonly number[]): string {
-  if (parts.length === 1) return `part ${parts[0]}`;
-  return `parts ${parts.slice(0, -1).join(', ')} and ${parts.at(-1)}`;
+  return changes.place[piece ? layingOf(piece, place) : 'moved'](name);
 }
 
 /** The parts that an edit is about by their numbers, from 1. */
@@ -102,35 +58,33 @@ export function partsOf(edit: DocumentEdit): readonly number[] {
  *
  * @param result the one before them, or else after them, in which edges and pieces have their names
  */
-export function editWords(edits: readonly DocumentEdit[], result: JobResult): string {
+export function editWords(words: Words, edits: readonly DocumentEdit[], result: JobResult): string {
+  const { changes } = words;
   const [first] = edits;
-  if (!first) return '';
-  const parts = partNumbers([...new Set(edits.flatMap(partsOf))]);
+  // The model was replaced.
+  if (!first) return words.replacing.replaced;
+  const parts = [...new Set(edits.flatMap(partsOf))];
   switch (first.kind) {
     case 'split':
-      return `split of ${parts}`;
     case 'merge':
-      return `merging of ${parts}`;
     case 'assign':
-      return `faces given to ${parts}`;
     case 'again':
-      return `another net for ${parts}`;
     case 'name':
-      return `name of ${parts}`;
+      return changes[first.kind](parts);
     case 'cut':
     case 'join':
     case 'flap':
     case 'lock':
-      return edgeEditWords(first, result);
+      return edgeEditWords(words, first, result);
     case 'paper': {
       const [option = ''] = Object.keys(first.options);
-      return `change of ${paperWords[option] ?? 'paper'}`;
+      return changes.paper[paperKinds[option] ?? 'paper'];
     }
     case 'place':
     case 'unpin':
-      return pieceEditWords(first, result);
-    default:
-      return words[first.kind];
+      return pieceEditWords(words, first, result);
+    case 'print':
+      return changes.look;
   }
 }
 

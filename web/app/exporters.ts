@@ -1,7 +1,8 @@
 import { writeFiles } from '../export/files.js';
-import type { ExportFormat } from '../export/formats.js';
+import type { DrawnFormat } from '../export/formats.js';
 import type { Print } from '../export/print.js';
 import type { JobResult } from '../model/job.js';
+import type { SheetRange } from '../model/sheet-range.js';
 
 /** A file for the person to keep. */
 export interface ExportedFile {
@@ -16,9 +17,11 @@ export interface ExportInput {
   name: string;
   /** The sheets as they were drawn last. */
   print: Print;
+  /** The sheets that are wanted. */
+  only: SheetRange;
 }
 
-const mediaTypes: Readonly<Record<ExportFormat, string>> = {
+const mediaTypes: Readonly<Record<DrawnFormat, string>> = {
   pdf: 'application/pdf',
   svg: 'image/svg+xml',
   dxf: 'image/vnd.dxf',
@@ -29,10 +32,10 @@ const mediaTypes: Readonly<Record<ExportFormat, string>> = {
 
 /** Writes the result in a format as one file: several come as a zip archive. */
 export async function exportResult(
-  format: ExportFormat,
-  { result, name, print }: ExportInput,
+  format: DrawnFormat,
+  { result, name, print, only }: ExportInput,
 ): Promise<ExportedFile> {
-  const files = await writeFiles(format, { result, print, name: `${name}.${format}` });
+  const files = await writeFiles(format, { result, print, only, name: `${name}.${format}` });
   const [file] = files;
   if (files.length === 1) {
     return { name: file!.name, content: file!.bytes, mediaType: mediaTypes[format] };

@@ -13,6 +13,13 @@ function isForStudio(event: DragEvent): boolean {
   return hasFiles(event) || !isForField(event);
 }
 
+/** The files that were chosen in a field, which forgets them: choosing the same file again counts as a choice. */
+export function pickedFiles(input: HTMLInputElement): PickedFile[] {
+  const files = [...(input.files ?? [])].map((file) => ({ path: file.name, file }));
+  input.value = '';
+  return files;
+}
+
 /** Offers files chosen with the picker, and files and folders dropped anywhere on the studio's ground. */
 export class FilePicker extends Panel {
   private readonly input = this.find('#file', HTMLInputElement);
@@ -26,9 +33,7 @@ export class FilePicker extends Panel {
   ) {
     super(place);
     this.input.addEventListener('change', () => {
-      const files = [...(this.input.files ?? [])].map((file) => ({ path: file.name, file }));
-      // Forgotten at once, so that choosing the same file again counts as a choice.
-      this.input.value = '';
+      const files = pickedFiles(this.input);
       if (files.length > 0) this.onFiles(Promise.resolve(files));
     });
     this.listen('dragenter', (event) => this.enter(event, 1));

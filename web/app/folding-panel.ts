@@ -1,30 +1,31 @@
+import { stepTimes } from '../model/choreography.js';
 import type { Piece } from '../model/job.js';
-import { tempoFor, secondOf, timeAt, type Tempo } from '../model/tempo.js';
-import { doubts, folded, joiningLetters } from './folding-words.js';
+import { FoldPlayer } from '../view/fold-player.js';
+import { doubts, folded, joiningLetters, sameTime } from './folding-words.js';
+import { FoldingTicks } from './folding-ticks.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
-/** Ms of a frame at most: after a pause, as in the background, it goes on where it was. */
-const longestFrame = 100;
-
 /**
- * A slider and a button that unfold the model into its pieces and fold them up again. Nothing moves
- * until one of them is used.
+ * A slider and buttons that unfold the model into its pieces and fold them up again, and go from building step to
+ * building step. Nothing moves until one of them is used.
  */
 export class FoldingPanel extends Panel {
   private readonly bar = this.find('#folding', HTMLElement);
   private readonly slider = this.find('#folding-time', HTMLInputElement);
   private readonly button = this.find('#folding-play', HTMLButtonElement);
+  private readonly back = this.find('#folding-back', HTMLButtonElement);
+  private readonly on = this.find('#folding-on', HTMLButtonElement);
   private readonly words = this.find('#folding-words', HTMLOutputElement);
+  private readonly ticks = new FoldingTicks(this.place, (time) => this.show(time));
   private readonly note = this.find('#folding-note', HTMLElement);
   private pieces: readonly Piece[] = [];
   /** Of the pieces in the order of their joining; null until the model is first unfolded. */
   private letters: string[] | null = null;
-  private tempo: Tempo = tempoFor(1);
-  private playing = false;
-  private lastFrame = 0;
-  /** Finer than the slider's steps. */
-  private time = 1;
+  /** Times of the building steps, ascending. */
+  private steps: readonly number[] = [];
+  /** Its time is finer than the slider's steps. */
+  private readonly player = new FoldPlayer((time) => this.tell(time));
 
   /** @param onTime is told how far the pieces shall be, from 0 (flat) to 1 (the model) */
   constructor(
@@ -33,16 +34,28 @@ export class FoldingPanel extends Panel {
   ) {
     super(place);
     this.slider.addEventListener('input', () => this.show(this.slider.valueAsNumber));
-    this.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
-    place.life.addEventListener('abort', () => this.pause());
+    this.button.addEventListener('click', () => {
+      if (this.player.isPlaying) this.player.halt();
+      else void this.play();
+    });
+    this.back.addEventListener('click', () => this.step(-1));
+    this.on.addEventListener('click', () => this.step(1));
+    this.slider.addEventListener('keydown', (event) => {
+      if (event.key !== 'PageUp' && event.key !== 'PageDown') return;
+      event.preventDefault();
+      this.step(event.key === 'PageUp' ? 1 : -1);
+    });
+    place.life.addEventListener('abort', () => this.player.halt());
   }
 
   /** Offers to unfold the model that is shown into these pieces. */
   offer(pieces: readonly Piece[]): void {
     this.pieces = pieces;
     this.letters = null;
-    this.tempo = tempoFor(pieces.length);
-    this.note.textContent = doubts(pieces);
+    this.player.begin(pieces.length);
+    this.steps = stepTimes(pieces.length);
+    this.ticks.offer(this.steps);
+    this.note.textContent = doubts(this.told, pieces);
     this.note.hidden = this.note.textContent === '';
     this.bar.hidden = false;
     this.show(1);
@@ -53,13 +66,13 @@ export class FoldingPanel extends Panel {
     if (this.bar.hidden) return;
     this.pieces = pieces;
     this.letters = null;
-    this.note.textContent = doubts(pieces);
-    this.go(this.time);
+    this.note.textContent = doubts(this.told, pieces);
+    this.tell(this.player.time);
   }
 
   /** Takes the offer back. */
   clear(): void {
-    this.pause();
+    this.player.halt();
     this.bar.hidden = this.note.hidden = true;
   }
 
@@ -71,43 +84,38 @@ export class FoldingPanel extends Panel {
 
   /** Goes to a time, and stays there; nothing happens where there is nothing to fold. */
   show(time: number): void {
-    if (this.bar.hidden) return;
-    this.pause();
-    this.go(time);
+    if (!this.bar.hidden) this.player.jump(time);
   }
 
-  private go(time: number): void {
-    this.time = time;
+  private tell(time: number): void {
     this.slider.value = String(time);
     // Not with the result, which has enough to do for one frame.
     if (time < 1) this.letters ??= joiningLetters(this.pieces);
-    const words = folded(time, this.letters ?? []);
+    const words = folded(this.told, time, this.letters ?? []);
     if (words !== this.words.textContent) {
       this.words.textContent = words;
       this.slider.setAttribute('aria-valuetext', words);
     }
+    this.ticks.show(time);
+    // A button with the keyboard on it must not go: at the ends it does nothing.
+    this.back.setAttribute('aria-disabled', String(time <= 0));
+    this.on.setAttribute('aria-disabled', String(time >= 1));
     this.onTime(time);
   }
 
-  private play(): void {
-    if (this.time >= 1) this.go(0);
-    this.playing = true;
-    this.button.textContent = 'Pause';
-    this.lastFrame = performance.now();
-    requestAnimationFrame(this.frame);
+  /** Goes to the next building step, or to the one before. */
+  private step(by: 1 | -1): void {
+    const isAhead = (time: number): boolean => (time - this.player.time) * by > sameTime;
+    const ahead = this.steps.filter(isAhead);
+    const next = by > 0 ? ahead[0] : ahead.at(-1);
+    if (next !== undefined) this.show(next);
   }
 
-  private pause(): void {
-    this.playing = false;
-    this.button.textContent = 'Play';
+  private async play(): Promise<void> {
+    if (this.player.time >= 1) this.player.jump(0);
+    const playing = this.player.play(1);
+    this.button.textContent = this.told.folding.pause;
+    await playing;
+    if (!this.player.isPlaying) this.button.textContent = this.told.folding.play;
   }
-
-  private readonly frame = (now: number): void => {
-    if (!this.playing) return;
-    const seconds = Math.min(Math.max(now - this.lastFrame, 0), longestFrame) / 1000;
-    this.lastFrame = now;
-    this.go(timeAt(this.tempo, secondOf(this.tempo, this.time) + seconds));
-    if (this.time >= 1) this.pause();
-    else requestAnimationFrame(this.frame);
-  };
 }

@@ -2,7 +2,7 @@ import { JobError } from '../core/job-error.js';
 import { Check } from './check.js';
 import { failureOf, type Ending } from './ending.js';
 import type { ChosenModel } from './model-file.js';
-import type { Aspect, OpenLooker } from './quick-looks.js';
+import type { OpenLooker, Wishes } from './quick-looks.js';
 import type { OpenModel, StoreNeeds } from './store-needs.js';
 
 /** Looks at chosen models, and keeps what was read for the run that follows. */
@@ -22,11 +22,16 @@ export class Inspector {
     return this.present;
   }
 
+  /** Another model was chosen, at which nobody has looked. */
+  forget(): void {
+    this.present = this.readSession = null;
+  }
+
   /** Looks at a model as it is. A file that is none leaves the model before, whose choice comes back. */
-  async inspect(model: ChosenModel, aspect: Aspect, signal: AbortSignal): Promise<Ending> {
+  async inspect(model: ChosenModel, wishes: Wishes, signal: AbortSignal): Promise<Ending> {
     const before = this.present;
     this.present = null;
-    const ending = await this.inspectNow(model, aspect, signal);
+    const ending = await this.inspectNow(model, wishes, signal);
     const isNone = ending.type === 'failed' && ending.cause === 'file';
     if (isNone && !signal.aborted) this.present = before;
     return ending;
@@ -42,14 +47,14 @@ export class Inspector {
 
   private async inspectNow(
     model: ChosenModel,
-    aspect: Aspect,
+    wishes: Wishes,
     signal: AbortSignal,
   ): Promise<Ending> {
     try {
       const session = await this.needs.open(model.files);
       const open: OpenLooker = (files) => this.needs.open(files);
       const check = new Check(model, session, open, this.onChange);
-      await check.begin(aspect, signal);
+      await check.begin(wishes, signal);
       signal.throwIfAborted();
       [this.present, this.readSession] = [check, session];
       return { type: 'inspected', check };

@@ -8,7 +8,7 @@ export class MatrixPanel extends Panel {
   private readonly picture = openPicture(this.find('#matrix', HTMLElement), this.place.life);
 
   clear(): void {
-    this.words.textContent = 'every pair of faces is a dot';
+    this.words.textContent = this.told.pictures.matrixToCome;
     this.picture.post({ type: 'nothing' });
   }
 
@@ -16,11 +16,12 @@ export class MatrixPanel extends Panel {
   finish(matrix: MatrixPicture | null): void {
     this.clear();
     if (matrix) this.show(matrix);
-    else this.words.textContent = 'nothing had to be learned for these parts';
+    else this.words.textContent = this.told.pictures.nothingLearned;
   }
 
   show(matrix: MatrixPicture): void {
-    this.words.textContent = matrix.blocks ? 'each frame is a part' : 'darker: more often together';
+    const { blocks, darker } = this.told.pictures;
+    this.words.textContent = matrix.blocks ? blocks : darker;
     this.picture.post({ type: 'matrix', matrix });
   }
 }

@@ -1,4 +1,3 @@
-import { some } from '../words/numbers.js';
 import type { Choice } from './choice.js';
 import type { OptionsForm } from './options-form.js';
 import { Panel } from './panel.js';
@@ -20,9 +19,10 @@ export class ModelChoice extends Panel {
   }
 
   show({ model, opening }: Choice): void {
-    const verb = opening ? 'Opening' : 'Chosen';
+    const { choice } = this.told;
+    const words = opening ? choice.opening : choice.chosen;
     const names = model ? [model.name, ...(model.added ?? [])] : [];
-    this.words.textContent = model ? `${verb}: ${some(names)}` : this.formats;
+    this.words.textContent = model ? words(names) : this.formats;
     this.gallery.mark(model?.name ?? null);
     this.form.ready = model !== null;
   }

@@ -4,6 +4,17 @@ import {
   type ModelFile,
   type ModelFiles,
 } from '../model/model-files.js';
+import type { Words } from '../words/words.js';
+import type { ReadProject } from '../project/project.js';
+import type { FoldedNets } from '../read/fold/folded-nets.js';
+
+/** A project as this browser has kept it. */
+export interface Kept {
+  id: string;
+  name: string;
+  /** Counts what was saved: who has seen less than there is must not write over it. */
+  revision: number;
+}
 
 /** A model as it was chosen. */
 export interface ChosenModel {
@@ -12,6 +23,12 @@ export interface ChosenModel {
   files: ModelFiles;
   /** Names of files that were chosen after it, and belong to it; absent if there are none. */
   added?: readonly string[];
+  /** The document that the files came in; absent where they are only a model. */
+  project?: ReadProject;
+  /** The nets that the file brings along to be looked at; absent where it has none, or is only a model. */
+  exhibit?: FoldedNets;
+  /** Where this browser keeps it, if it came from there. */
+  kept?: Kept;
 }
 
 /** A file that was picked, and where it lay in the folder that was picked with it. */
@@ -20,18 +37,20 @@ export interface PickedFile {
   file: File;
 }
 
-/** A choice that gives no model; the message is a sentence for the person who chose. */
-export class UnusableChoice extends Error {}
+/** A choice that gives no model; `tell` has a sentence for the person who chose. */
+export class UnusableChoice extends Error {
+  constructor(readonly tell: (words: Words) => string) {
+    super();
+  }
+}
 
 function checkSizes(picked: readonly PickedFile[]): void {
   const limits = new FileLimits();
   for (const { file } of picked) {
     const excess = limits.add(file.size);
     if (excess === null) continue;
-    throw new UnusableChoice(
-      picked.length === 1
-        ? `“${file.name}” is too large: it has ${excess}. Save it with fewer faces, or in a binary format.`
-        : `That is too much: it has ${excess}. Choose a model and what belongs to it.`,
+    throw new UnusableChoice(({ choice }) =>
+      picked.length === 1 ? choice.fileTooLarge(file.name, excess) : choice.tooMuch(excess),
     );
   }
 }
@@ -67,16 +86,14 @@ export async function fetchModelFile(
     if (!response.ok) throw new Error(response.statusText);
     bytes = await response.blob();
   } catch {
-    throw new UnusableChoice(`“${name}” cannot be loaded.`);
+    throw new UnusableChoice(({ choice }) => choice.notLoaded(name));
   }
   return readModelFiles([{ path: name, file: new File([bytes], name) }]);
 }
 
 async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
   const bytes = await file.arrayBuffer().catch(() => {
-    throw new UnusableChoice(
-      `“${path}” cannot be read: it is a folder, or it was moved, or may not be opened.`,
-    );
+    throw new UnusableChoice(({ choice }) => choice.unreadable(path));
   });
   return { name: path, bytes: new Uint8Array(bytes) };
 }
@@ -87,15 +104,13 @@ async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
  */
 export async function readModelFiles(picked: readonly PickedFile[]): Promise<ChosenModel> {
   if (picked.length === 0) {
-    throw new UnusableChoice(
-      'That was no file. Choose a GLB, OBJ, STL, 3MF, PLY, OFF or PDO file, or a ZIP with one.',
-    );
+    throw new UnusableChoice(({ choice }) => choice.noFile);
   }
   checkSizes(picked);
   const files = await Promise.all(picked.map(readFile));
   const name = probableModel(files);
   if (files.every(({ bytes }) => bytes.length === 0)) {
-    throw new UnusableChoice(`“${name}” is empty: there is nothing in it to unfold.`);
+    throw new UnusableChoice(({ choice }) => choice.empty(name));
   }
   return { name, files };
 }

@@ -1,11 +1,13 @@
 import type { JobResult, Piece } from '../model/job.js';
 import type { Vector } from '../model/vector.js';
+import { canFold, labelsOf, type FoldedNets } from '../read/fold/folded-nets.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import type { Painted, Pointed } from '../view/model-message.js';
 import { modelView } from '../view/model-view.js';
 import { BrushSwitch } from './brush-switch.js';
 import { FoldingPanel } from './folding-panel.js';
 import { LooksSwitch } from './looks-switch.js';
+import type { ModelMarks } from './model-marks.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { RunPictures } from './run-pictures.js';
@@ -22,11 +24,6 @@ export interface ModelListener {
   paint(painted: Painted): void;
 }
 
-const excuses: Readonly<Record<DrawingFailure, string>> = {
-  impossible: 'This browser draws no 3D view, because it has no WebGL 2. All else works.',
-  broken: 'The 3D view does not work here. All else does.',
-};
-
 /** The model in 3D, and when it is finished its folding. */
 export class ModelPanel extends Panel {
   readonly figure = this.find('#model', HTMLElement);
@@ -34,7 +31,7 @@ export class ModelPanel extends Panel {
   private readonly note = this.find('#model-note', HTMLElement);
   private readonly name = this.find('#model-name', HTMLElement);
   private readonly view = modelView(this.picture, this.place.life, {
-    onFailure: (failure) => this.excuse(excuses[failure]),
+    onFailure: (failure) => this.excuse(failure),
     onPoint: (pointed) => this.listener.point(pointed),
     isPainting: () => this.brush.isOn,
     onPaint: (painted) => this.listener.paint(painted),
@@ -70,22 +67,37 @@ export class ModelPanel extends Panel {
   }
 
   /** Shows a model before its run; seen from where it was seen if it is but simplified otherwise. */
-  preview(name: string, { vertices, faces }: ShownModel, keepsView: boolean): void {
+  preview(
+    name: string,
+    { vertices, faces }: ShownModel,
+    how: { keepsView: boolean; isGlass: boolean },
+  ): void {
     this.name.textContent = name;
     this.run = null;
     this.folding.clear();
     this.brush.offered = false;
-    this.view.post({ type: 'model', vertices, faces, keepsView });
+    this.view.post({ type: 'model', vertices, faces, ...how });
+  }
+
+  /** Shows a folded model as its file has it, which can be folded and not painted. */
+  exhibit(name: string, nets: FoldedNets): void {
+    const { model, pieces } = nets;
+    this.preview(name, model, { keepsView: false, isGlass: false });
+    this.looks.offer(null);
+    this.paint(labelsOf(nets));
+    if (!canFold(nets)) return;
+    this.view.post({ type: 'folding', model, pieces: [...pieces] });
+    this.folding.offer(pieces);
   }
 
   /** Shows the repaired model in its final colours; that of the same run only changes its colours. */
   finish(run: RunPictures, { model, labels, pieces, looks }: JobResult): void {
     if (this.run !== run) this.show(run, model);
-    this.paint(labels);
+    // A run that was stopped may have left faces in no piece: they stay blank, and could not fold with the others.
+    const found = new Set(pieces.flatMap(({ sources }) => [...sources]));
+    this.paint(labels.map((part, face) => (found.has(face) ? part : -1)));
     this.looks.offer(looks ?? null);
-    // A run that was cancelled may have left faces in no piece: they could not fold with the others.
-    const covered = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
-    if (covered !== model.faces.length / 3) return;
+    if (found.size !== labels.length) return;
     this.view.post({ type: 'folding', model, pieces });
     this.brush.offered = true;
     this.folding.offer(pieces);
@@ -104,6 +116,11 @@ export class ModelPanel extends Panel {
   /** Lights edges, and looks at the model from a direction unless that is null. */
   light(edges: Int32Array, from: Vector | null): void {
     this.view.post({ type: 'lights', edges, from });
+  }
+
+  /** Marks the edges that a building step is about, in place of those of another one. */
+  markStep({ edges, kinds }: ModelMarks): void {
+    this.view.post({ type: 'step', edges, kinds });
   }
 
   /** Lets parts stand out from all others, unless there are none. */
@@ -131,10 +148,11 @@ export class ModelPanel extends Panel {
     this.view.post({ type: 'turning', turning: wanted });
   }
 
-  private excuse(words: string): void {
+  private excuse(failure: DrawingFailure): void {
+    const { broken, noWebGl } = this.told.pictures;
     this.picture.hidden = true;
     this.folding.remove();
-    this.note.textContent = words;
+    this.note.textContent = failure === 'impossible' ? noWebGl : broken;
     this.note.hidden = false;
   }
 }

@@ -2,30 +2,29 @@ import { defaultOptions } from '../model/default-options.js';
 import type { FoldingMode, Heuristic, Segmenter, Solver } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import { FacesField } from './faces-field.js';
+import { MendFields } from './mend-fields.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
 /** What this part of the form decides. */
 export type Method = Pick<
   Settings,
-  'solver' | 'seed' | 'segment' | 'heuristic' | 'runs' | 'faces' | 'proxy' | 'folding'
+  | 'solver'
+  | 'seed'
+  | 'segment'
+  | 'heuristic'
+  | 'runs'
+  | 'faces'
+  | 'fill-holes'
+  | 'inside'
+  | 'proxy'
+  | 'folding'
 >;
 
 const solvers: readonly Solver[] = ['tree', 'genetic'];
 const segmenters: readonly Segmenter[] = ['merge', 'spectral'];
 const heuristics: readonly Heuristic[] = ['steepest', 'flat', 'hybrid', 'random'];
 const foldingModes: readonly FoldingMode[] = ['prefer', 'require', 'off'];
-
-const solverWords: Readonly<Record<Solver, string>> = {
-  tree: 'Mends one unfolding step by step: fast.',
-  genetic: 'The paper’s way: breeds nets; slow.',
-};
-
-const foldingWords: Readonly<Record<FoldingMode, string>> = {
-  prefer: 'Every net that folds without running into itself is proved to; others are reported.',
-  require: 'A part without a net that folds is split into pieces that do.',
-  off: 'Nets only have to lie flat.',
-};
 
 /** The value of a list; the default where a browser has kept one that exists no more. */
 function chosen<Value extends string>(
@@ -50,6 +49,7 @@ export class MoreOptions extends Panel {
   private readonly heuristic = this.find('#heuristic', HTMLSelectElement);
   private readonly runs = this.find('#runs', HTMLInputElement);
   readonly faces = new FacesField(this.place);
+  readonly mending = new MendFields(this.place);
   private readonly proxy = this.find('#proxy', HTMLInputElement);
   private readonly folding = this.find('#folding-mode', HTMLSelectElement);
   private readonly foldingHint = this.find('#folding-hint', HTMLElement);
@@ -77,6 +77,7 @@ export class MoreOptions extends Panel {
       heuristic: chosen(this.heuristic, heuristics, defaultOptions.heuristic),
       runs: amount(this.runs, defaultOptions.runs),
       faces: this.faces.value,
+      ...this.mending.value,
       proxy: amount(this.proxy, defaultOptions.proxy),
       folding: this.chosenFolding(),
     };
@@ -91,7 +92,8 @@ export class MoreOptions extends Panel {
   }
 
   private explain(): void {
-    this.hint.textContent = solverWords[this.chosenSolver()];
-    this.foldingHint.textContent = foldingWords[this.chosenFolding()];
+    const { folding, solver } = this.told.form;
+    this.hint.textContent = solver[this.chosenSolver()];
+    this.foldingHint.textContent = folding[this.chosenFolding()];
   }
 }

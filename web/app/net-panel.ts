@@ -18,7 +18,7 @@ export class NetPanel extends Panel {
   clear(): void {
     this.net = null;
     this.labels = null;
-    this.words.textContent = 'comes after the parts are chosen';
+    this.words.textContent = this.told.pictures.netToCome;
     this.chips.replaceChildren();
     this.draw();
   }
@@ -28,7 +28,7 @@ export class NetPanel extends Panel {
     this.labels = labels;
     const parts = labels.reduce((most, label) => Math.max(most, label + 1), 0);
     for (let part = this.chips.children.length; part < parts; ++part) this.addChip(part);
-    this.words.textContent = 'begins at once';
+    this.words.textContent = this.told.pictures.netBegins;
   }
 
   hatch(hatched: boolean): void {
@@ -39,8 +39,7 @@ export class NetPanel extends Panel {
   follow({ part, generation, overlaps, net }: Extract<JobEvent, { type: 'generation' }>): void {
     // The words are about the picture, which does not come with every generation.
     if (!net && this.net) return;
-    const left = overlaps === 1 ? '1 overlap' : `${overlaps} overlaps`;
-    this.words.textContent = `part ${part + 1}, generation ${generation}: ${left}`;
+    this.words.textContent = this.told.pictures.generation(part + 1, generation, overlaps);
     if (!net) return;
     this.part = part;
     this.net = net;
@@ -53,7 +52,7 @@ export class NetPanel extends Panel {
     if (!largest) return;
     this.paint(labels);
     for (const { part } of pieces) this.found(part);
-    this.words.textContent = `part ${largest.part + 1}, without overlaps`;
+    this.words.textContent = this.told.pictures.netDone(largest.part + 1);
     this.net = finishedNet(largest);
     this.draw();
   }

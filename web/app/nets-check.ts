@@ -1,6 +1,5 @@
 import type { Settings } from '../model/options.js';
 import type { Check } from './check.js';
-import { netsWords } from './check-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -23,6 +22,8 @@ export class NetsCheck extends Panel {
     for (const button of this.box.querySelectorAll('button')) {
       button.setAttribute('aria-pressed', String(button.value === nets));
     }
-    this.words.textContent = fileNets === 0 ? '' : netsWords(fileNets, nets);
+    const { netsKept, netsOffered } = this.told.check;
+    const words = nets === 'file' ? netsKept : netsOffered(fileNets);
+    this.words.textContent = fileNets === 0 ? '' : words;
   }
 }

@@ -1,4 +1,5 @@
-import { find } from './dom.js';
+/** Whether the page works without a network; null where a browser cannot keep it. */
+export type OfflineState = 'offline' | 'notOffline' | null;
 
 /** Lies beside the page: from there it serves all that is below. */
 const script = './service-worker.js';
@@ -27,7 +28,7 @@ export async function takeNewestBuild(): Promise<void> {
   const used = firstUse();
   for (const time of askingTimes) {
     setTimeout(() => {
-      if (!used.aborted) waiting.postMessage('take over');
+      if (!used.aborted) waiting.postMessage({ takeOver: true });
     }, time);
   }
 }
@@ -53,18 +54,17 @@ async function serving(serviceWorker: ServiceWorkerContainer): Promise<void> {
   });
 }
 
-/** Keeps all files of the studio on this device, and says when it needs no network any more. */
-export async function keepForOffline(): Promise<void> {
-  const words = find(document, '#offline', HTMLElement);
+/** Keeps all files of the studio on this device; resolves when it needs no network any more, or will do with one. */
+export async function keepForOffline(): Promise<OfflineState> {
   // Pages that came over a connection that is not secure have none.
   const { serviceWorker } = navigator as Partial<Navigator>;
-  if (!serviceWorker) return;
+  if (!serviceWorker) return null;
   try {
     const { installing } = await serviceWorker.register(script, { updateViaCache: 'none' });
     await Promise.race([serving(serviceWorker), failure(installing)]);
-    serviceWorker.controller?.postMessage('drop other builds');
-    words.textContent = 'Ready offline: from now on it works without a network, too.';
+    serviceWorker.controller?.postMessage({ completePage: import.meta.url });
+    return 'offline';
   } catch {
-    words.textContent = 'It could not be kept on this device, and needs a network.';
+    return 'notOffline';
   }
 }

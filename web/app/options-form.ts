@@ -7,7 +7,9 @@ import { make } from './dom.js';
 import type { FacesField } from './faces-field.js';
 import type { FieldValues } from './pending-settings.js';
 import { fill } from './fill.js';
+import { methodFields, paperFields } from './paper-fields.js';
 import { FlapFields } from './flap-fields.js';
+import type { MendFields } from './mend-fields.js';
 import { MoreOptions } from './more-options.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -78,6 +80,11 @@ export class OptionsForm extends Panel {
     return this.more.faces;
   }
 
+  /** The fields for what is mended on request. */
+  get mending(): MendFields {
+    return this.more.mending;
+  }
+
   /** Whether all fields make sense. */
   get isValid(): boolean {
     return this.form.matches(':valid');
@@ -114,6 +121,13 @@ export class OptionsForm extends Panel {
     if (faces !== undefined) this.more.faces.fill(faces);
     // As if a person had: what depends on the fields looks at them again.
     this.form.dispatchEvent(new Event('input'));
+  }
+
+  /** Fills in all fields with the settings of a document. */
+  fillAll(settings: Settings): void {
+    this.fillPaper(new Map([...paperFields(settings), ...methodFields(settings)]));
+    this.more.faces.set(settings.faces);
+    this.mending.set(settings);
   }
 
   /** Fills in fields of sheets, size, flaps and numbers, by their ids; a kind of size comes before its number. */

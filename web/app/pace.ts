@@ -1,7 +1,6 @@
 /** Which change of a document need not wait for which. */
-import type { Refusal } from '../api/edit-plan.js';
-import type { Applied } from '../api/session.js';
-import type { WorkOptions } from '../api/work.js';
+import type { Applied, Refusal } from '../api/edit-plan.js';
+import type { RunWork } from '../api/work.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import type { OpenModel } from './store-needs.js';
 
@@ -16,7 +15,7 @@ export interface Step {
   pace: Pace;
   edits: readonly DocumentEdit[];
   /** Makes it; false if there is nothing to do. */
-  make(session: OpenModel, work: WorkOptions): Promise<Applied | Refusal | boolean>;
+  make(session: OpenModel, work: RunWork): Promise<Applied | Refusal | boolean>;
 }
 
 const followed: Readonly<Record<Pace, readonly Pace[]>> = {

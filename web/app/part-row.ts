@@ -1,20 +1,13 @@
-import type { JobResult, Piece } from '../model/job.js';
+import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
 import { partColour } from '../model/part-colours.js';
+import type { Words } from '../words/words.js';
 import { make } from './dom.js';
-import { listed } from './folding-words.js';
 
 export interface PartRowListener {
   toggle(part: number): void;
   /** The name that a person has entered; empty for the letter. */
   rename(part: number, name: string): void;
-}
-
-/** "piece C", "pieces Wing 1 and Wing 2" */
-function pieceWords(pieces: readonly Piece[]): string {
-  if (pieces.length === 0) return 'no net';
-  const names = pieces.map(({ name }) => name);
-  return `${names.length === 1 ? 'piece' : 'pieces'} ${listed(names)}`;
 }
 
 /** A part in the list: a button that chooses it, and a field for its name. */
@@ -30,13 +23,14 @@ export class PartRow {
   private refused = false;
 
   constructor(
+    private readonly words: Words['parts'],
     private readonly part: number,
     private readonly listener: PartRowListener,
   ) {
     const swatch = make('span', { className: 'part__swatch' });
     swatch.style.setProperty('--colour', partColour(part));
-    const words = make('span', {}, `Part ${part + 1}`, this.pieces);
-    this.button = make('button', { type: 'button', className: 'part' }, swatch, words);
+    const label = make('span', {}, words.part(part + 1), this.pieces);
+    this.button = make('button', { type: 'button', className: 'part' }, swatch, label);
     this.button.addEventListener('click', () => listener.toggle(part));
     this.field = this.nameField();
     this.item = make('li', { className: 'part-row' }, this.button);
@@ -50,11 +44,12 @@ export class PartRow {
     const own = pieces.filter((piece) => piece.part === this.part);
     const faces = own.reduce((sum, { sources }) => sum + sources.length, 0);
     this.name = names.find(({ part }) => part === this.part)?.name ?? '';
-    this.pieces.textContent = `, ${pieceWords(own)}`;
+    const pieceNames = own.map(({ name }) => name);
+    this.pieces.textContent = `, ${own.length > 0 ? this.words.pieces(pieceNames) : this.words.noNet}`;
     // The field says as much to those who see it.
     const isShown = own.length === 1 && own[0]!.name === this.name;
     this.pieces.classList.toggle('visually-hidden', isShown);
-    this.button.title = `${faces} faces`;
+    this.button.title = this.words.faces(faces);
     if (!nameable) this.field.remove();
     else if (!this.field.parentNode) this.item.append(this.field);
     if (!this.editing && !this.refused) this.takeBack();
@@ -83,11 +78,11 @@ export class PartRow {
     const field = make('input', {
       type: 'text',
       className: 'part__name',
-      placeholder: 'name',
+      placeholder: this.words.name,
       autocomplete: 'off',
       enterKeyHint: 'done',
     });
-    field.setAttribute('aria-label', `Name of part ${this.part + 1}`);
+    field.setAttribute('aria-label', this.words.nameOf(this.part + 1));
     field.setAttribute('aria-describedby', 'name-fault');
     field.addEventListener('input', () => (this.editing = true));
     field.addEventListener('change', () => this.apply());

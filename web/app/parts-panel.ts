@@ -20,8 +20,6 @@ export interface PartsListener {
 
 /** The parts of a result: choose some, split, merge or name them, take that back or make it again. */
 export class PartsPanel extends Panel {
-  /** Where the progress of a change is shown. */
-  readonly progress = this.find('#parts-progress', HTMLElement);
   private readonly card = this.find('#parts-card', HTMLElement);
   private readonly list = this.find('#parts-list', HTMLElement);
   private readonly splitButton = this.find('#split', HTMLButtonElement);
@@ -85,7 +83,7 @@ export class PartsPanel extends Panel {
   private resize(parts: number): void {
     for (const { item } of this.rows.splice(parts)) item.remove();
     while (this.rows.length < parts) {
-      const row = new PartRow(this.rows.length, {
+      const row = new PartRow(this.told.parts, this.rows.length, {
         toggle: (part) => this.store.toggle(part),
         rename: (part, text) => this.rename(part, text),
       });
@@ -100,11 +98,13 @@ export class PartsPanel extends Panel {
   }
 
   private show(): void {
-    const { busy, canMove, run, selection, undoable, redoable } = this.store;
+    const { busy, canMove, run, scene, undoable, redoable } = this.store;
+    // What is chosen elsewhere are the nets of a file that is only looked at.
+    const selection = scene === 'result' ? this.store.selection : [];
     const { length: count } = selection;
     this.card.setAttribute('aria-busy', String(busy));
-    this.splitButton.textContent = count > 1 ? 'Split these parts' : 'Split this part';
-    this.mergeButton.textContent = count > 2 ? `Merge these ${count}` : 'Merge these two';
+    this.splitButton.textContent = this.told.parts.split(count);
+    this.mergeButton.textContent = this.told.parts.merge(count);
     const disable = (button: HTMLButtonElement, disabled: boolean): void =>
       button.setAttribute('aria-disabled', String(disabled));
     disable(this.splitButton, busy || count < 1 || !this.into.checkValidity());
@@ -116,16 +116,21 @@ export class PartsPanel extends Panel {
       row.locked = busy;
     });
     const { before } = this.store;
-    const offer = (button: HTMLButtonElement, verb: string, edits: typeof undoable): void => {
+    const { changes } = this.told;
+    const offer = (
+      button: HTMLButtonElement,
+      told: typeof changes.undo,
+      edits: typeof undoable,
+    ): void => {
       const result = (button === this.undoButton && before) || run?.result;
-      button.textContent = edits && result ? `${verb}: ${editWords(edits, result)}` : verb;
+      button.textContent = told(edits && result ? editWords(this.told, edits, result) : null);
       const hadFocus = button.matches(':focus');
       button.hidden = edits === null;
       if (edits === null && hadFocus) this.focus();
       disable(button, !canMove);
     };
-    offer(this.undoButton, 'Undo', undoable);
-    offer(this.redoButton, 'Redo', redoable);
+    offer(this.undoButton, changes.undo, undoable);
+    offer(this.redoButton, changes.redo, redoable);
   }
 
   private split(): void {

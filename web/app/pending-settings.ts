@@ -1,5 +1,4 @@
 import { find } from './dom.js';
-import { listed } from './folding-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 
@@ -68,7 +67,9 @@ export class PendingSettings extends Panel {
     }
     for (const note of this.notes) {
       note.hidden = names.length === 0;
-      find(note, 'span', HTMLElement).textContent = `Not applied yet: ${listed(names)}.`;
+      find(note, 'span', HTMLElement).textContent = this.told.choice.pending(
+        this.told.speech.all(names),
+      );
     }
   }
 }

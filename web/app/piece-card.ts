@@ -1,6 +1,5 @@
 import type { PartOffer } from '../model/piece-edits.js';
 import { make } from './dom.js';
-import { listed } from './folding-words.js';
 import type { StudioPlace } from './place.js';
 import { onPress } from './press.js';
 import { SheetCard } from './sheet-card.js';
@@ -114,17 +113,18 @@ export class PieceCard extends SheetCard {
   }
 
   private fill(content: PieceCardContent): void {
+    const { pieces: told, speech } = this.told;
     this.words.textContent = content.words;
     this.nameLabel.hidden = content.name === null;
     this.name.readOnly = content.busy;
     if (!this.isNaming) this.name.value = content.name ?? '';
     this.fillSheets(content);
-    this.pin.textContent = content.isPinned ? 'Let it move' : 'Keep it here';
+    this.pin.textContent = content.isPinned ? told.letMove : told.keepHere;
     this.joining.hidden = content.joins.length === 0;
     const { value } = this.partner;
     this.partner.replaceChildren(
       ...content.joins.map(({ part, pieces }) =>
-        make('option', { value: String(part), textContent: listed(pieces) }),
+        make('option', { value: String(part), textContent: speech.all(pieces) }),
       ),
     );
     // Who has chosen one finds it chosen still.
@@ -138,7 +138,10 @@ export class PieceCard extends SheetCard {
     const options = Array.from({ length: Math.max(sheets, sheet + 1) }, (_, i) =>
       make('option', { value: String(i), textContent: String(i + 1) }),
     );
-    const more = make('option', { value: String(options.length), textContent: 'a new one' });
+    const more = make('option', {
+      value: String(options.length),
+      textContent: this.told.pieces.newSheet,
+    });
     this.sheet.replaceChildren(...options, more);
     this.sheet.value = String(sheet);
   }

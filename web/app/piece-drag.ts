@@ -8,8 +8,14 @@ const tremble = 5;
 /** Degrees of a notch of the wheel, and of the key R; with Shift the other way round. */
 const turns = { wheel: 15, key: 90 };
 
-/** How near to the end of the window the page begins to move, and how far it does in a frame; pixels. */
+/** How near to the end of what is seen of the mat it begins to move, and how far it does in a frame; pixels. */
 const scrolling = { reach: 28, step: 12 };
+
+/** Which way to go on from a place between two ends: -1, 1, or 0 where it is far from both. */
+function wayFrom(at: number, from: number, to: number): -1 | 0 | 1 {
+  if (at < from + scrolling.reach) return -1;
+  return at > to - scrolling.reach ? 1 : 0;
+}
 
 export interface PieceDragListener {
   /** Whether what lies at a place can be dragged from there. */
@@ -25,6 +31,7 @@ export interface PieceDragListener {
 /** Drags over the sheets with mouse, pen or finger. Nothing is selected by it, and no click comes of it. */
 export class PieceDrag extends Panel {
   private readonly list = this.find('#sheets', HTMLOListElement);
+  private readonly view = this.find('#mat-view', HTMLElement);
   /** A press on something that can be dragged, which may still become a drag. */
   private pressed: { event: PointerEvent; place: SheetPlace } | null = null;
   /** The pointer that drags, where it was last. */
@@ -126,14 +133,19 @@ export class PieceDrag extends Panel {
     this.follow();
   }
 
-  /** Who drags to the end of the window wants to go on to what lies beyond it. */
+  /** Who drags to the end of the mat, or of the window, wants to go on to what lies beyond it. */
   private readonly scroll = (): void => {
     if (!this.dragging || this.place.life.aborted) return;
     requestAnimationFrame(this.scroll);
-    const { clientY } = this.dragging;
-    const up = clientY < scrolling.reach;
-    if (!up && clientY < innerHeight - scrolling.reach) return;
-    scrollBy(0, up ? -scrolling.step : scrolling.step);
+    const { clientX, clientY } = this.dragging;
+    const { left, right, top, bottom } = this.view.getBoundingClientRect();
+    const across = wayFrom(clientX, Math.max(left, 0), Math.min(right, innerWidth));
+    const down = wayFrom(clientY, Math.max(top, 0), Math.min(bottom, innerHeight));
+    if (across === 0 && down === 0) return;
+    const [x, y] = [across * scrolling.step, down * scrolling.step];
+    const isOwn = this.view.scrollHeight > this.view.clientHeight;
+    this.view.scrollBy(x, isOwn ? y : 0);
+    if (!isOwn) scrollBy(0, y);
     this.follow();
   };
 }

@@ -4,10 +4,11 @@ import { PieceMove } from '../model/piece-move.js';
 import type { PiecePlace } from '../model/piece-shape.js';
 import type { SheetPieces } from '../model/sheet-pieces.js';
 import { drawGhost, type Ghost } from '../view/piece-ghost.js';
+import { phraseOf } from '../words/phrase.js';
 import type { Ending } from './ending.js';
 import { Panel } from './panel.js';
 import { PieceDrag } from './piece-drag.js';
-import { cannotStay, layingWords, noRoom, notDropped } from './piece-words.js';
+import { cannotStay, notDropped } from './piece-words.js';
 import type { StudioPlace } from './place.js';
 import { sentence } from './sentence.js';
 import type { SheetList } from './sheet-list.js';
@@ -101,7 +102,10 @@ export class PieceMover extends Panel {
     change(move);
     this.draw();
     const { fault } = move;
-    this.listener.tell(piece, fault && this.pieces ? cannotStay(this.pieces, piece, fault) : '');
+    this.listener.tell(
+      piece,
+      fault && this.pieces ? cannotStay(this.told, this.pieces, piece, fault) : '',
+    );
     this.listener.onMove();
     this.timer = setTimeout(() => {
       if (!this.isStuck) void this.lay();
@@ -114,7 +118,10 @@ export class PieceMover extends Panel {
     if (!move || !this.pieces) return;
     if (move.findRoom(sheet)) return this.lay();
     this.putBack();
-    this.listener.tell(piece, noRoom(this.pieces, piece, sheet));
+    this.listener.tell(
+      piece,
+      this.told.pieces.noRoom(this.pieces.result.pieces[piece]!.name, sheet + 1),
+    );
   }
 
   /** Lays down what is on its way, or puts it back where it lay if it cannot stay. */
@@ -158,7 +165,7 @@ export class PieceMover extends Panel {
     const { fault } = move;
     if (!fault) return void this.lay();
     this.putBack();
-    this.listener.tell(move.piece, notDropped(pieces, move.piece, fault));
+    this.listener.tell(move.piece, notDropped(this.told, pieces, move.piece, fault));
   }
 
   private async lay(): Promise<void> {
@@ -171,11 +178,11 @@ export class PieceMover extends Panel {
     this.phase = 'laying';
     this.draw();
     const own = pieces.result.pieces[move.piece]!;
-    const words = layingWords(layingOf(own, move.place), own.name);
+    const words = this.told.pieces.laid[layingOf(own, move.place)](own.name);
     const ending = await this.listener.change(placing(move.piece, move.place), words);
     if (this.move === move) this.putBack();
     if (ending.type === 'refused') {
-      this.listener.tell(move.piece, sentence(ending.refusal.params.text));
+      this.listener.tell(move.piece, sentence(phraseOf(this.told, ending.refusal)));
     }
   }
 

@@ -2,12 +2,13 @@ import type { DocumentEdit } from '../model/document-edits.js';
 import { isPinOf, joinOffers, placing } from '../model/piece-edits.js';
 import { placeOf } from '../model/piece-shape.js';
 import { SheetPieces } from '../model/sheet-pieces.js';
+import { phraseOf } from '../words/phrase.js';
 import type { Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
 import { Panel } from './panel.js';
 import { PieceCard, type PieceCardContent } from './piece-card.js';
 import { PieceMover } from './piece-mover.js';
-import { layingWords, pieceWords } from './piece-words.js';
+import { pieceWords } from './piece-words.js';
 import type { StudioPlace } from './place.js';
 import { finishedParts } from './result-words.js';
 import { sentence } from './sentence.js';
@@ -182,7 +183,7 @@ export class PieceTool extends Panel {
       const piece = (from + by + count) % count;
       this.pointAt(piece);
       this.sheets.revealPiece(this.nameOf(piece));
-      this.said.textContent = pieceWords(pieces, piece);
+      this.said.textContent = pieceWords(this.told, pieces, piece);
     } else if (event.key === 'Enter' && pointed !== null) {
       event.preventDefault();
       this.choose(pointed);
@@ -196,7 +197,8 @@ export class PieceTool extends Panel {
     const { pieces, chosen } = this;
     if (!pieces || chosen === null) return;
     const own = pieces.result.pieces[chosen]!;
-    const words = isPinned ? layingWords('kept', own.name) : `${own.name} may move again.`;
+    const { pieces: told } = this.told;
+    const words = isPinned ? told.laid.kept(own.name) : told.mayMove(own.name);
     const edit: DocumentEdit = isPinned
       ? placing(chosen, placeOf(own))
       : { kind: 'unpin', piece: chosen + 1 };
@@ -219,7 +221,7 @@ export class PieceTool extends Panel {
     const ending = await change;
     this.waiting = null;
     if (ending.type === 'refused' && this.chosen === chosen) {
-      this.outcome = sentence(ending.refusal.params.text);
+      this.outcome = sentence(phraseOf(this.told, ending.refusal));
     }
     this.show();
   }
@@ -232,7 +234,8 @@ export class PieceTool extends Panel {
   private pointAt(piece: number | null): void {
     if (piece === this.pointed) return;
     this.pointed = piece;
-    this.line.textContent = piece === null || !this.pieces ? '' : pieceWords(this.pieces, piece);
+    this.line.textContent =
+      piece === null || !this.pieces ? '' : pieceWords(this.told, this.pieces, piece);
     this.light();
   }
 
@@ -248,9 +251,10 @@ export class PieceTool extends Panel {
     const own = result.pieces[chosen]!;
     const place = mover.piece === chosen ? mover.at : null;
     const isPinned = pins.some((pin) => isPinOf(pin, own));
+    const words = `${pieceWords(this.told, pieces, chosen, place ?? undefined)}.`;
     const name = this.store.names.find(({ part }) => part === own.part)?.name ?? '';
     return {
-      words: `${pieceWords(pieces, chosen, place ?? undefined)}.${isPinned ? ' It stays here.' : ''}`,
+      words: isPinned ? `${words} ${this.told.pieces.staysHere}` : words,
       // Without all nets a job would go on to search, which a name must not.
       name: finishedParts(result) === result.parts ? name : null,
       sheet: place?.sheet ?? own.sheet,

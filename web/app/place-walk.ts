@@ -1,4 +1,5 @@
 import type { FindingPlace } from '../model/finding-places.js';
+import type { Words } from '../words/words.js';
 
 function isSame(one: FindingPlace, other: FindingPlace | undefined): boolean {
   if (one.edge) return one.edge.modelEdge === other?.edge?.modelEdge;
@@ -44,8 +45,8 @@ export class PlaceWalk {
   }
 
   /** What the places are of, and which of how many it is at. */
-  get words(): string {
+  wordsIn({ edges }: Words): string {
     const number = Math.max(this.at, 0) + 1;
-    return this.isLong ? `${this.title}: ${number} of ${this.places.length}` : this.title;
+    return this.isLong ? edges.place(this.title, number, this.places.length) : this.title;
   }
 }

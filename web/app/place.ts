@@ -1,5 +1,9 @@
+import type { Words } from '../words/words.js';
+
 /** Where a studio is on a page. Several may share one: each knows its own place and nothing else of the page. */
 export interface StudioPlace {
+  /** In the language of the studio. */
+  readonly words: Words;
   /** Holds the studio's markup. */
   readonly root: ParentNode;
   /** Hears the keys that are pressed and the files that are dropped for this studio. */

@@ -5,6 +5,7 @@ import {
   isCalibrated,
   measurable,
   rulerLength,
+  thicknessRange,
   type LineKind,
   type LineStyle,
   type Machine,
@@ -19,16 +20,6 @@ import type { StudioPlace } from './place.js';
 const styles: readonly PrintStyle[] = ['foldwright', 'pepakura', 'blender'];
 const machines: readonly Machine[] = ['none', 'silhouette', 'cricut', 'generic'];
 const kinds: readonly LineKind[] = ['cut', 'mountain', 'valley'];
-
-const colourWords = 'Red lines are cut, blue and green ones scored, pink ones drawn with a pen.';
-
-/** What comes of each choice, in the words of the page. */
-const machineWords: Readonly<Record<Machine, string>> = {
-  none: 'For scissors or a knife.',
-  silhouette: `${colourWords} With the black marks the machine finds a printed sheet.`,
-  cricut: `${colourWords} Cricut’s program adds its own marks.`,
-  generic: colourWords,
-};
 
 /** Where the lengths that were measured are kept from one visit to the next. */
 const memory = 'foldwright.measured';
@@ -67,6 +58,7 @@ export class PrintPanel extends Panel {
   private readonly style = this.find('#print-style', HTMLSelectElement);
   private readonly shaded = this.find('#print-flaps', HTMLInputElement);
   private readonly flatFold = this.find('#print-flat-fold', HTMLInputElement);
+  private readonly thickness = this.find('#print-thickness', HTMLInputElement);
   private readonly ticks = this.find('#print-ticks', HTMLInputElement);
   private readonly backs = this.find('#print-backs', HTMLInputElement);
   private readonly angles = this.find('#print-angles', HTMLInputElement);
@@ -97,6 +89,7 @@ export class PrintPanel extends Panel {
       placeholder: defaultPrint.dpi,
     });
     this.flatFold.placeholder = String(defaultPrint.flatFold);
+    Object.assign(this.thickness, { min: thicknessRange.least, max: thicknessRange.most });
     for (const field of [this.across, this.up]) {
       Object.assign(field, {
         min: measurable.least,
@@ -136,8 +129,9 @@ export class PrintPanel extends Panel {
     this.style.value = options.style;
     for (const kind of kinds) this.fillLines(kind, look.lines[kind]);
     this.shaded.checked = look.flaps !== 'none';
-    const { flatFold } = options;
+    const { flatFold, thickness } = options;
     this.flatFold.value = flatFold === defaultPrint.flatFold ? '' : String(flatFold);
+    this.thickness.value = thickness === defaultPrint.thickness ? '' : String(thickness);
     this.ticks.checked = options.foldTicks;
     this.backs.checked = options.duplex;
     this.angles.checked = options.foldAngles;
@@ -157,12 +151,14 @@ export class PrintPanel extends Panel {
     const lines: Partial<Record<LineKind, Partial<LineStyle>>> = {};
     for (const kind of kinds) lines[kind] = this.differing(kind, look.lines[kind]);
     return {
+      language: this.told.code,
       style,
       lines,
       ...(this.shaded.checked !== (look.flaps !== 'none') && {
         flaps: this.shaded.checked ? flapShade : 'none',
       }),
       flatFold: number(this.flatFold, defaultPrint.flatFold),
+      thickness: number(this.thickness, defaultPrint.thickness),
       foldTicks: this.ticks.checked,
       duplex: this.backs.checked,
       foldAngles: this.angles.checked,
@@ -229,6 +225,7 @@ export class PrintPanel extends Panel {
   /** Shows what lines look like, and says clearly whether sheets are corrected. */
   private explain(): void {
     const options = this.read();
+    const { printing: told, speech } = this.told;
     const { lines } = lookOf(options);
     for (const kind of kinds) {
       const { sample } = this.lines[kind];
@@ -237,7 +234,7 @@ export class PrintPanel extends Panel {
       sample.setAttribute('stroke-dasharray', lines[kind].dash.join(' ') || 'none');
     }
     this.colours.explain(options);
-    this.machineHint.textContent = machineWords[options.machine];
+    this.machineHint.textContent = told.machine[options.machine];
     for (const field of [
       this.style,
       this.shaded,
@@ -251,13 +248,12 @@ export class PrintPanel extends Panel {
     const isOn = isCalibrated(options);
     const words = options.measured.map((length) => {
       const share = Math.abs(100 * (rulerLength / length - 1));
-      return `${share.toFixed(1)} % ${length < rulerLength ? 'longer' : 'shorter'}`;
-    });
-    this.state.textContent = isOn
-      ? `Correction is on: lines are drawn ${words[0]} across and ${words[1]} up. Print once more: the rulers now measure 50 mm.`
-      : 'Print a sheet at 100 %, then enter what its rulers measure.';
+      const percent = speech.fixed(share, 1);
+      return length < rulerLength ? told.longer(percent) : told.shorter(percent);
+    }) as [string, string];
+    this.state.textContent = isOn ? told.correcting(...words) : told.notCorrecting;
     this.badge.hidden = !isOn;
-    this.badge.textContent = `PDF and SVG are corrected for your printer (${options.measured.join(' × ')} mm)`;
+    this.badge.textContent = told.corrected(...options.measured);
   }
 
   private remember(): void {

@@ -1,56 +1,75 @@
-import type { JobEvent } from '../model/job.js';
-import { byStage, type Stage } from '../model/stages.js';
+import type { TimedEvent } from '../core/protocol.js';
+import { PartsProgress } from '../model/parts-progress.js';
+import type { Stage } from '../model/stages.js';
+import { unknownEnd, withReading } from '../model/time-left.js';
+import type { Words } from '../words/words.js';
 
-const stageWords = byStage(({ words }) => words);
+/** Seconds below which it is over before one has read it, and above which minutes are told. */
+const [fewSeconds, manySeconds] = [5, 90];
+
+/** How long a run still takes, rounded up; nothing if that cannot be known, or if it is over at once. */
+export function timeWords({ run }: Words, seconds: number | null): string {
+  if (seconds === null || seconds < fewSeconds) return '';
+  if (seconds > manySeconds) return run.minutesLeft(Math.ceil(seconds / 60));
+  return run.secondsLeft(5 * Math.ceil(seconds / 5));
+}
 
 /** Follows the events of one job and puts them into words. */
 export class ProgressWords {
   private stage: Stage = 'read';
   private detail = '';
-  private parts = 0;
-  private readonly flat = new Set<number>();
+  private readonly parts = new PartsProgress();
+  private end = unknownEnd;
+  private second = 0;
   /** In [0, 1]; never falls. */
   progress = 0;
 
+  constructor(private readonly words: Words) {}
+
   /** What happens now, without figures: worth saying aloud when it changes. */
   get headline(): string {
-    return stageWords[this.stage];
+    return this.words.run.stages[this.stage];
   }
 
   /** What happens now, with figures where there are some. */
   get text(): string {
-    return this.detail ? `${this.headline}: ${this.detail}` : this.headline;
+    return this.detail ? this.words.run.detailed(this.headline, this.detail) : this.headline;
+  }
+
+  /** How long it still takes, as far as that can be known. */
+  get left(): string {
+    const { end } = this.end;
+    return timeWords(this.words, end === null ? null : end - this.second);
   }
 
   /** Takes the next event in. */
-  follow(event: JobEvent): void {
+  follow(event: TimedEvent): void {
+    this.parts.follow(event);
     switch (event.type) {
       case 'stage':
         if (event.stage !== this.stage) this.detail = '';
         this.stage = event.stage;
         this.progress = Math.max(this.progress, event.progress);
+        this.second = event.seconds;
+        this.end = withReading(this.end, { second: event.seconds, progress: this.progress });
         break;
       case 'learned':
-        this.detail = `${event.runs} of ${event.of} unfoldings tried`;
-        break;
-      case 'segmented':
-        this.parts = event.labels.reduce((most, label) => Math.max(most, label + 1), 0);
+        this.detail = this.words.run.learned(event.runs, event.of);
         break;
       case 'generation':
-        this.detail = this.searchDetail(event.overlaps);
-        break;
       case 'net':
-        this.flat.add(event.part);
-        this.detail = this.searchDetail(0);
+        this.detail = this.searchDetail();
         break;
       default:
         break;
     }
   }
 
-  private searchDetail(overlaps: number): string {
-    const found = this.parts > 0 ? `${this.flat.size} of ${this.parts} done` : '';
-    const left = overlaps > 0 ? `${overlaps} ${overlaps === 1 ? 'overlap' : 'overlaps'} left` : '';
+  private searchDetail(): string {
+    const { done, overlaps, parts } = this.parts;
+    const { run } = this.words;
+    const found = parts > 0 ? run.partsDone(done, parts) : '';
+    const left = overlaps ? run.overlapsLeft(overlaps) : '';
     return [found, left].filter(Boolean).join(', ');
   }
 }

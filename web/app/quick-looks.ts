@@ -7,8 +7,14 @@ import { identity } from '../read/matrix.js';
 import { bitsOfSingle, halfSpacing, largestOf } from '../read/precision.js';
 import { Soup } from '../read/soup.js';
 
-/** What decides how a model looks before it is unfolded. */
-export type Aspect = Pick<Settings, 'faces' | 'up'>;
+/** What is asked of a model before it is unfolded, whatever is mended of it. */
+export type Wishes = Pick<Settings, 'faces' | 'up'>;
+
+/** What decides how it looks then. */
+export interface Aspect extends Wishes {
+  fillHoles: Settings['fill-holes'];
+  inside: Settings['inside'];
+}
 
 /** What can look at a model. */
 export type Looker = Pick<Session, 'inspect'>;
@@ -25,10 +31,16 @@ const copyFaces = 6000;
 /** The copy must be finer than what is made of it. */
 const finestOfCopy = copyFaces / 2;
 
-/** A copy of a model for one choice of what is up. */
-interface Copy {
-  up: Aspect['up'];
-  looker: Promise<Looker>;
+/** What a copy of a model is made with. */
+type Making = Omit<Aspect, 'faces'>;
+
+/** A copy of a model for one choice of what is up and what is mended. */
+interface Copy extends Making {
+  opened: Promise<{
+    looker: Looker;
+    /** Of the model, as there is nothing to repair in the copy. */
+    repairs: Inspection['repairs'];
+  }>;
 }
 
 /** A mesh as a file for the engine, exactly. */
@@ -59,12 +71,12 @@ export class QuickLooks {
    * @param size triangles of the whole model; 0 if that is not known
    */
   async inspect(aspect: Aspect, size: number, signal: AbortSignal): Promise<Inspection> {
-    const { faces, up } = aspect;
+    const { faces, ...making } = aspect;
     if (size <= largestQuick || faces === 'off' || faces > finestOfCopy) {
       return this.looker.inspect(aspect, { signal });
     }
-    const copy = await this.copyFor(up);
-    return copy.inspect({ faces, up: 'y' }, { signal });
+    const { looker, repairs } = await this.copyFor(making);
+    return { ...(await looker.inspect({ faces, up: 'y' }, { signal })), repairs };
   }
 
   /** Frees the workers of what goes on. */
@@ -73,19 +85,25 @@ export class QuickLooks {
     this.end = new AbortController();
   }
 
-  private copyFor(up: Aspect['up']): Promise<Looker> {
-    if (this.copy?.up === up) return this.copy.looker;
-    const copy: Copy = { up, looker: this.makeCopy(up) };
+  private copyFor(making: Making): Copy['opened'] {
+    const { up, fillHoles, inside } = making;
+    const { copy: before } = this;
+    const isSame = before?.up === up && before.fillHoles === fillHoles && before.inside === inside;
+    if (isSame) return before.opened;
+    const copy: Copy = { ...making, opened: this.makeCopy(making) };
     this.copy = copy;
-    copy.looker.catch(() => {
+    copy.opened.catch(() => {
       if (this.copy === copy) this.copy = null;
     });
-    return copy.looker;
+    return copy.opened;
   }
 
-  private async makeCopy(up: Aspect['up']): Promise<Looker> {
+  private async makeCopy(making: Making): Copy['opened'] {
     const { signal } = this.end;
-    const { model } = await this.looker.inspect({ faces: copyFaces, up }, { signal });
-    return this.open([fileOf(model)]);
+    const { model, repairs } = await this.looker.inspect(
+      { faces: copyFaces, ...making },
+      { signal },
+    );
+    return { looker: await this.open([fileOf(model)]), repairs };
   }
 }

@@ -1,3 +1,4 @@
+import type { PrintedPage } from '../export/printed-pages.js';
 import type { Notice } from '../model/job.js';
 import { otherNotices, resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
@@ -49,6 +50,8 @@ export class ResultPanel extends Panel {
   private turns = 0;
   /** Whether the fields say what the document does not know yet. */
   private isLookNew = false;
+  /** Called when pages look otherwise than before. */
+  onLook: () => void = () => undefined;
   /** Counts changes of how sheets look. */
   private looks = 0;
 
@@ -86,6 +89,7 @@ export class ResultPanel extends Panel {
   /** Shows the result, or makes room for a run. */
   set open(open: boolean) {
     this.panel.hidden = !open;
+    if (open) this.sheets.settle();
   }
 
   /** Moves the keyboard to the result. */
@@ -98,7 +102,8 @@ export class ResultPanel extends Panel {
     const { model, settings, result } = run;
     const turn = ++this.turns;
     const source = { result, name: stem(model.name), margin: settings.margin };
-    const options = { ...printOptions(settings), measured: this.print.measured };
+    const { measured } = this.print;
+    const options = { ...printOptions(settings), measured, language: this.told.code };
     const writer = new ResultWriter(this.host, source, options);
     try {
       const sheets = await this.sheets.draw(result, writer);
@@ -121,15 +126,15 @@ export class ResultPanel extends Panel {
     const { model, settings, result } = run;
     this.sheets.show(sheets, result, renamed);
     this.title.textContent = stem(model.name);
-    this.lead.textContent = leadSentence(result, settings.paper);
+    this.lead.textContent = leadSentence(this.told, result, settings.paper);
     this.facts.replaceChildren(
-      ...resultFacts(result, settings.margin).map(([label, value]) =>
+      ...resultFacts(this.told, result, settings.margin).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),
       ),
     );
     this.showRemarks(run, notices);
     this.downloads.offer(writer);
-    this.steps.offer(result.pieces);
+    this.steps.offer(result);
     // Two runs gave the same bits when this is the same: for bug reports and tests.
     this.panel.dataset['hash'] = result.hash;
     this.shownRun = { run, writer };
@@ -137,6 +142,7 @@ export class ResultPanel extends Panel {
     // What was changed meanwhile is newer than the document.
     if (!this.isLookNew) this.print.fill(settings, result.looks !== undefined);
     else void this.redraw();
+    this.onLook();
   }
 
   /** Draws the sheets once more, as the print options are now. */
@@ -151,17 +157,23 @@ export class ResultPanel extends Panel {
     if (shown !== this.shownRun || looks !== this.looks) return;
     this.sheets.replace(sheets);
     this.showRemarks(run, notices);
+    this.onLook();
   }
 
   /** The report in words. */
   private showRemarks({ result, settings }: FinishedRun, printed: readonly Notice[]): void {
     const notices = otherNotices(resultNotices(result, settings.margin, printed));
     const remarks = [
-      ...remarkList('Repaired before unfolding', repairRemarks(result)),
-      ...remarkList('Worth knowing', noticeRemarks(notices)),
+      ...remarkList(this.told.result.repaired, repairRemarks(this.told, result)),
+      ...remarkList(this.told.result.worthKnowing, noticeRemarks(this.told, notices)),
     ];
     this.remarks.replaceChildren(...remarks);
     this.remarks.hidden = remarks.length === 0;
+  }
+
+  /** All pages of the result as they are printed now. */
+  async pages(): Promise<readonly PrintedPage[]> {
+    return (await this.shownRun?.writer.pages()) ?? [];
   }
 
   /** Adds the other sheets. */

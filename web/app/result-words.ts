@@ -4,16 +4,15 @@ import type { PaperSize } from '../model/paper.js';
 import { paperUse } from '../model/paper-use.js';
 import { conclusionOf, findingsOn, type Conclusion } from '../model/verdict.js';
 import { measureSeams } from '../model/seam-measures.js';
-import { count } from '../words/numbers.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
 import { finishedSize } from '../words/summary.js';
-import { headline } from '../words/verdict.js';
+import type { Words } from '../words/words.js';
 import { sentence } from './sentence.js';
 
 /** A label and its value. */
 export type Fact = [label: string, value: string];
 
-/** How many parts have all their faces in pieces: all of them, unless the run was cancelled. */
+/** How many parts have all their faces in pieces: all of them, unless the run was stopped. */
 export function finishedParts({ labels, pieces, parts }: JobResult): number {
   const missing = new Array<number>(parts).fill(0);
   for (const part of labels) missing[part]! += 1;
@@ -21,18 +20,18 @@ export function finishedParts({ labels, pieces, parts }: JobResult): number {
   return missing.filter((faces) => faces === 0).length;
 }
 
-/** The result in one sentence. */
-export function leadSentence(result: JobResult, paper: PaperSize): string {
+/** The result in one sentence, or two where something is missing. */
+export function leadSentence(words: Words, result: JobResult, paper: PaperSize): string {
+  const { result: told } = words;
   const finished = finishedParts(result);
-  const parts = count(result.parts, 'part');
-  const pieces = count(result.pieces.length, 'piece');
-  const sheets = `${count(result.sheets.length, 'sheet')} of ${paper.name}`;
-  if (finished < result.parts) {
-    return `${finished} of ${parts} had their nets when the run was cancelled: ${pieces} on ${sheets}.`;
+  const { parts } = result;
+  const [pieces, sheets] = [result.pieces.length, result.sheets.length];
+  if (finished < parts) {
+    return told.withHoles({ finished, parts, pieces, sheets, paper: paper.name });
   }
-  if (result.pieces.length === 1) return `All in one piece, on ${sheets}.`;
-  if (result.pieces.length === result.parts) return `${parts}, each in one piece, on ${sheets}.`;
-  return `${parts} in ${pieces} on ${sheets}.`;
+  if (pieces === 1) return told.onePiece(sheets, paper.name);
+  if (pieces === parts) return told.eachInOne(parts, sheets, paper.name);
+  return told.inPieces(parts, pieces, sheets, paper.name);
 }
 
 /** Whether nobody can build a result, other than because it is only a part of one. */
@@ -41,72 +40,69 @@ export function isHopeless(result: JobResult, { level }: Conclusion): boolean {
 }
 
 /** That a result cannot be built, in one sentence; null if it can be; `margin`: around each sheet, mm. */
-export function hopeless(result: JobResult, margin: number): string | null {
+export function hopeless(words: Words, result: JobResult, margin: number): string | null {
   const findings = findingsOn(result, margin);
   const conclusion = conclusionOf(findings);
-  return isHopeless(result, conclusion) ? sentence(headline(conclusion, findings.length)) : null;
+  if (!isHopeless(result, conclusion)) return null;
+  return sentence(words.verdict.headline(conclusion, findings.length));
 }
 
 /** Seconds as people say them: 0.4 s, 12 s, 2 min 5 s. */
-function duration(seconds: number): string {
-  if (seconds < 10) return `${seconds.toFixed(1)} s`;
-  if (seconds < 60) return `${Math.round(seconds)} s`;
-  return `${Math.floor(seconds / 60)} min ${Math.floor(seconds % 60)} s`;
+function duration({ result: told }: Words, seconds: number): string {
+  if (seconds < 10) return told.seconds(seconds, 1);
+  if (seconds < 60) return told.seconds(Math.round(seconds), 0);
+  return told.minutes(Math.floor(seconds / 60), Math.floor(seconds % 60));
 }
 
 /** Width and height of the piece with the smallest box, and its letter. */
-function smallestPiece({ pieces }: JobResult): string {
+function smallestPiece({ result: told }: Words, { pieces }: JobResult): string {
   const [smallest] = [...pieces].sort((a, b) => a.width * a.height - b.width * b.height);
   const { name, width, height } = smallest!;
-  return `${name}, ${Math.round(width)} × ${Math.round(height)} mm`;
+  return told.smallest(name, Math.round(width), Math.round(height));
 }
 
 /** How many seams have a flap, and what joins the others. */
-function flapWords({ flaps: { wanted, full, shrunk, strips, taped } }: JobResult): string {
-  const words: string[] = [];
-  if (wanted > 0) words.push(`on ${full + shrunk} of ${count(wanted, 'seam')}`);
-  if (shrunk > 0) words.push(`${shrunk} of them narrow`);
-  if (strips > 0) words.push(count(strips, 'loose strip'));
-  if (taped > 0) words.push(`${taped} to be taped`);
-  return words.length > 0 ? words.join(', ') : 'none';
+function flapWords({ result: told }: Words, { flaps }: JobResult): string {
+  const { wanted, full, shrunk, strips, taped } = flaps;
+  return told.flaps({ wanted, flaps: full + shrunk, shrunk, strips, taped }) || told.none;
 }
 
 /** How many seams have their number at both sides. */
-function idWords({ ids: { printed, skipped } }: JobResult): string {
+function idWords({ result: told }: Words, { ids: { printed, skipped } }: JobResult): string {
   const all = printed + skipped.length;
-  return all === 0 ? 'none' : `on ${printed} of ${count(all, 'seam')}`;
+  return all === 0 ? told.none : told.numbers(printed, all);
 }
 
 /** How much there is to glue. */
-function glueWords(result: JobResult): string {
+function glueWords({ result: told }: Words, result: JobResult): string {
   const seams = measureSeams(result);
   const mm = seams.reduce((sum, { length }) => sum + length, 0);
-  return seams.length > 0
-    ? `${(mm / 1000).toFixed(1)} m on ${count(seams.length, 'seam')}`
-    : 'none';
+  return seams.length > 0 ? told.glue(mm / 1000, seams.length) : told.none;
 }
 
 /** The figures worth knowing before printing; `margin`: around each sheet, mm. */
-export function resultFacts(result: TimedResult, margin: number): Fact[] {
+export function resultFacts(words: Words, result: TimedResult, margin: number): Fact[] {
+  const { result: told, speech } = words;
+  const { facts } = told;
   return [
-    ['Finished size', finishedSize(result.model, '×')],
-    ['Smallest piece', smallestPiece(result)],
-    ['To glue', glueWords(result)],
-    ['Flaps', flapWords(result)],
-    ['Edge numbers', idWords(result)],
-    ['Scale', `1 unit is ${Number(result.scale.toPrecision(3))} mm`],
-    ['Paper used', `${Math.round(100 * paperUse(result, margin))} %`],
-    ['Triangles', String(result.model.faces.length / 3)],
-    ['Computed in', duration(result.seconds.total)],
+    [facts.size, finishedSize(words, result.model, '×')],
+    [facts.smallest, smallestPiece(words, result)],
+    [facts.glue, glueWords(words, result)],
+    [facts.flaps, flapWords(words, result)],
+    [facts.numbers, idWords(words, result)],
+    [facts.scale, told.scale(Number(result.scale.toPrecision(3)))],
+    [facts.paper, told.percent(Math.round(100 * paperUse(result, margin)))],
+    [facts.triangles, speech.figure(result.model.faces.length / 3)],
+    [facts.time, duration(words, result.seconds.total)],
   ];
 }
 
 /** What was changed on the model before it was unfolded. */
-export function repairRemarks({ repairs }: JobResult): string[] {
-  return repairs.map((repair) => sentence(repairPhrase(repair)));
+export function repairRemarks(words: Words, { repairs }: JobResult): string[] {
+  return repairs.map((repair) => sentence(repairPhrase(words, repair)));
 }
 
 /** Notices as sentences. */
-export function noticeRemarks(notices: readonly Notice[]): string[] {
-  return notices.map((notice) => sentence(phraseOf(notice)));
+export function noticeRemarks(words: Words, notices: readonly Notice[]): string[] {
+  return notices.map((notice) => sentence(phraseOf(words, notice)));
 }

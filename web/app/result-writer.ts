@@ -1,8 +1,10 @@
-import type { ExportFormat } from '../export/formats.js';
+import type { DrawnFormat } from '../export/formats.js';
+import type { PrintedPage } from '../export/printed-pages.js';
 import type { Notice } from '../model/job.js';
+import type { SheetRange } from '../model/sheet-range.js';
 import { pixelExcess } from '../model/pixels.js';
-import { optionWords } from '../words/en-options.js';
 import type { PrintOptions } from '../model/print-options.js';
+import type { OptionFault } from '../words/messages.js';
 import type { ExportedFile } from './exporters.js';
 import type { WriterHost } from './writer-host.js';
 import type { WriterSource } from './writer-worker.js';
@@ -21,18 +23,23 @@ export class ResultWriter {
     return this.host.order(this.source, { type: 'sheet', sheet, options: this.options });
   }
 
-  /** The result in a format. */
-  file(format: ExportFormat): Promise<ExportedFile> {
-    return this.host.order(this.source, { type: 'file', format, options: this.options });
+  /** The sheets that are wanted of the result in a format. */
+  file(format: DrawnFormat, only: SheetRange): Promise<ExportedFile> {
+    return this.host.order(this.source, { type: 'file', format, only, options: this.options });
   }
 
-  /** Why the result cannot be written in a format as it shall look, in a phrase; null if it can. */
-  obstacle(format: ExportFormat): string | null {
+  /** All pages as they are printed. */
+  pages(): Promise<PrintedPage[]> {
+    return this.host.order(this.source, { type: 'pages', options: this.options });
+  }
+
+  /** Why the result cannot be written in a format as it shall look; null if it can. */
+  obstacle(format: DrawnFormat): OptionFault | null {
     if (format !== 'png') return null;
     const { dpi } = this.options;
     for (const { width, height } of this.source.result.sheets) {
       const excess = pixelExcess(width, height, dpi);
-      if (excess !== null) return optionWords({ what: 'pixels', ...excess });
+      if (excess !== null) return { what: 'pixels', ...excess };
     }
     return null;
   }

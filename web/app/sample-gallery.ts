@@ -1,4 +1,6 @@
-import catalogAddress from '/samples/catalog.json?url';
+import addresses from 'virtual:sample-addresses';
+import { difficultyOf } from '../model/building-time.js';
+import type { Words } from '../words/words.js';
 import { make } from './dom.js';
 import { UnusableChoice, type ChosenModel } from './model-file.js';
 import { Panel } from './panel.js';
@@ -11,17 +13,32 @@ interface Sample {
   file: string;
   picture: string;
   faces: number;
+  /** What it takes to build it as it comes, if the engine has been asked: see `scripts/time-samples.mjs`. */
+  building?: { pieces: number; seconds: number };
 }
 
-/** The samples lie beside their catalogue, among the files of the studio, wherever the page comes from. */
+/** The samples lie among the files of the studio, wherever the page comes from. */
 function sampleAddress(name: string): string {
-  return new URL(name, new URL(catalogAddress, location.href)).href;
+  return addresses[name] ?? name;
+}
+
+/** "Easy: 3 pieces" and "about 40 minutes" */
+function effortWords(
+  { building, choice }: Words,
+  { pieces, seconds }: NonNullable<Sample['building']>,
+): string[] {
+  return [choice.effort(difficultyOf(seconds), pieces), building.duration({ seconds })];
+}
+
+/** What a sample is called in a language; by its catalogue if that is newer than the words. */
+function nameOf({ samples }: Words, { id, name }: Sample): string {
+  return Object.hasOwn(samples, id) ? samples[id as keyof typeof samples] : name;
 }
 
 async function fetchSample(name: string): Promise<Response> {
   const response = await fetch(sampleAddress(name)).catch(() => null);
   if (!response?.ok) {
-    throw new UnusableChoice('The samples cannot be loaded. Models of your own work all the same.');
+    throw new UnusableChoice(({ choice }) => choice.noSamples);
   }
   return response;
 }
@@ -47,7 +64,7 @@ export class SampleGallery extends Panel {
   async load(): Promise<void> {
     const response = await fetchSample('catalog.json');
     const samples = (await response.json()) as Sample[];
-    this.list.replaceChildren(...samples.map((sample) => make('li', {}, this.tile(sample))));
+    this.list.replaceChildren(...samples.map((sample) => this.item(sample)));
   }
 
   /** Marks the sample with this file name as the chosen one; any other name marks none. */
@@ -57,6 +74,23 @@ export class SampleGallery extends Panel {
     }
   }
 
+  /** What it takes to build it stands over its button: it describes what the button chooses, and is not its name. */
+  private item(sample: Sample): HTMLLIElement {
+    const button = this.tile(sample);
+    const item = make('li', {}, button);
+    if (!sample.building) return item;
+    const effort = make(
+      'p',
+      { className: 'sample__effort', id: `effort-${sample.id}` },
+      ...effortWords(this.told, sample.building).map((textContent) =>
+        make('span', { textContent }),
+      ),
+    );
+    button.setAttribute('aria-describedby', effort.id);
+    item.append(effort);
+    return item;
+  }
+
   private tile(sample: Sample): HTMLButtonElement {
     const picture = make('img', {
       src: sampleAddress(sample.picture),
@@ -64,16 +98,17 @@ export class SampleGallery extends Panel {
       width: 160,
       height: 160,
     });
+    const name = nameOf(this.told, sample);
     const button = make(
       'button',
       {
         type: 'button',
         className: 'sample',
         value: sample.file,
-        title: `${sample.name}, ${sample.faces} faces`,
+        title: this.told.choice.sample(name, sample.faces),
       },
       picture,
-      sample.name,
+      name,
     );
     button.setAttribute('aria-pressed', 'false');
     button.addEventListener('click', () => this.onChoice(readSample(sample)));

@@ -5,8 +5,10 @@ import { signLocks } from '../view/lock-signs.js';
 import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
 import { sheetPicture, type PiecePaint } from '../view/sheet-picture.js';
+import type { Words } from '../words/words.js';
 import { make } from './dom.js';
 import type { LightsBySheet, LocksBySheet } from './edge-lighting.js';
+import { MatView } from './mat-view.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
@@ -26,14 +28,12 @@ interface SheetParts {
   share: number;
 }
 
-function partsOf(result: JobResult, index: number, source: string): SheetParts {
+function partsOf(words: Words, result: JobResult, index: number, source: string): SheetParts {
   const pieces = result.pieces.filter((piece) => piece.sheet === index);
   const paints = new Map(
     pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
   );
-  const number = `Sheet ${index + 1} of ${result.sheets.length}`;
-  const names = [...paints.keys()].join(', ');
-  const caption = `${number}: ${pieces.length === 1 ? 'piece' : 'pieces'} ${names}`;
+  const caption = words.result.caption(index + 1, result.sheets.length, [...paints.keys()]);
   const widest = Math.max(...result.sheets.map(({ width }) => width));
   return { source, paints, caption, share: result.sheets[index]!.width / widest };
 }
@@ -56,6 +56,8 @@ export interface SheetListener {
   point(place: SheetPlace | null): void;
   /** A place was clicked, or something beside all sheets; `adds`: with a key that adds to what is chosen. */
   press(place: SheetPlace | null, adds: boolean): void;
+  /** Something on the sheets is about to be looked at. */
+  reveal(): void;
 }
 
 /** Pieces that stand out on the sheets, by their names. */
@@ -73,7 +75,7 @@ const noLights: PieceLights = { chosen: null, pointed: null, lifted: null, waiti
 /** The sheets as they will be printed, with the parts in colour. */
 export class SheetList extends Panel {
   private readonly list = this.find('#sheets', HTMLOListElement);
-  private readonly zoom = this.find('#zoom', HTMLInputElement);
+  private readonly mat: MatView;
   /** Sheets that were drawn, but are not on the page yet. */
   private coming: HTMLLIElement[] = [];
   private sheets: HTMLLIElement[] = [];
@@ -86,12 +88,12 @@ export class SheetList extends Panel {
   private pieceLights = noLights;
   private selected: readonly number[] = [];
 
-  constructor(place: StudioPlace, listener: SheetListener) {
+  constructor(
+    place: StudioPlace,
+    private readonly listener: SheetListener,
+  ) {
     super(place);
-    this.zoom.addEventListener('input', () => {
-      this.list.toggleAttribute('data-fitted', false);
-      this.resize();
-    });
+    this.mat = new MatView(place);
     this.list.addEventListener('click', (event) => {
       listener.press(this.placeOf(event), event.shiftKey || event.ctrlKey || event.metaKey);
     });
@@ -110,7 +112,7 @@ export class SheetList extends Panel {
     const sources = await Promise.all(result.sheets.map((_, index) => writer.sheet(index)));
     const drawn = new Map<string, HTMLLIElement>();
     for (const [index, source] of sources.entries()) {
-      const parts = partsOf(result, index, source);
+      const parts = partsOf(this.told, result, index, source);
       const key = keyOf(parts);
       const known = this.drawn.get(key);
       // A picture that takes long leaves the page time for others.
@@ -126,8 +128,9 @@ export class SheetList extends Panel {
    *
    * @param whole puts all of them there, so that the page does not move
    */
-  show(sheets: HTMLLIElement[], { pieces }: JobResult, whole = false): void {
+  show(sheets: HTMLLIElement[], { pieces, sheets: papers }: JobResult, whole = false): void {
     this.lightPieces(noLights);
+    const isOther = !whole && !sheets.some((sheet) => this.sheets.includes(sheet));
     const fresh = sheets.filter((sheet) => !this.sheets.includes(sheet));
     this.sheets = sheets;
     this.pieces = pieces;
@@ -136,8 +139,17 @@ export class SheetList extends Panel {
     const first = whole || fresh.length <= fewSheets ? sheets.length : 1;
     this.list.replaceChildren(...sheets.slice(0, first));
     this.coming = sheets.slice(first);
+    this.list.setAttribute('aria-busy', 'true');
     this.select(this.selected);
-    this.resize();
+    const largest = (side: 'width' | 'height'): number =>
+      Math.max(...papers.map((paper) => paper[side]));
+    const size = { width: largest('width'), height: largest('height') };
+    this.mat.arrange({ count: sheets.length, ...size }, isOther);
+  }
+
+  /** Fits the sheets into their room, which they have from now on. */
+  settle(): void {
+    this.mat.keepFit();
   }
 
   /** Adds the other sheets, one in each frame: all at once they would keep the page for too long. */
@@ -146,6 +158,7 @@ export class SheetList extends Panel {
       await nextFrame();
       this.list.append(...this.coming.splice(0, 1));
     }
+    this.list.removeAttribute('aria-busy');
   }
 
   /** Puts sheets of the same result that look otherwise in the place of those on the page. */
@@ -188,7 +201,7 @@ export class SheetList extends Panel {
   }
 
   /**
-   * Scrolls the page until the first lit edge of a sheet is in the middle of the window, as far as it goes.
+   * Scrolls the mat until the first lit edge of a sheet is in the middle of what is seen of it, as far as it goes.
    *
    * @returns how far it is below the upper end of the window then, in pixels
    */
@@ -260,6 +273,7 @@ export class SheetList extends Panel {
 
   private centre(element: Element | null | undefined): number {
     if (!element) return 0;
+    this.listener.reveal();
     element.scrollIntoView({ block: 'center', inline: 'center' });
     const { top, height } = element.getBoundingClientRect();
     return top + height / 2;
@@ -270,9 +284,5 @@ export class SheetList extends Panel {
     const sheet = this.sheets.findIndex((item) => target instanceof Node && item.contains(target));
     const svg = target instanceof Element ? target.closest('svg') : null;
     return svg && sheet >= 0 ? placeOn(svg, sheet, event) : null;
-  }
-
-  private resize(): void {
-    this.list.style.setProperty('--sheet-width', `${this.zoom.value}px`);
   }
 }

@@ -2,7 +2,6 @@ import { extentsOf } from '../model/bounds.js';
 import type { Settings } from '../model/options.js';
 import { pencil, pencilPath, silhouetteOf } from '../view/silhouette.js';
 import type { Inspection } from '../api/inspect.js';
-import { lengthWords } from './check-words.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { SizeFields, Wish } from './size-fields.js';
@@ -19,12 +18,6 @@ function scaleFor({ kind, amount }: Wish, sides: readonly number[]): number | nu
   if (side === undefined || amount === null) return null;
   return sides[side]! > 0 ? amount / sides[side]! : null;
 }
-
-/** How large a model gets of which no size is wished. */
-const fitWords: Readonly<Record<Settings['nets'], string>> = {
-  new: 'As large as a sheet allows: how large that is shows when it is unfolded.',
-  file: 'As large as in the file, or as a sheet allows: how large that is shows when it is unfolded.',
-};
 
 /** Draws the model at its wished size beside a pencil, and offers sizes. */
 export class SizeCheck extends Panel {
@@ -76,13 +69,19 @@ export class SizeCheck extends Panel {
     const tallest = Math.max(height, pencil.length);
     const box = [-gap, -tallest - gap, right + pencil.width + 2 * gap, tallest + 2 * gap];
     this.picture.setAttribute('viewBox', box.join(' '));
-    const [across, up, deep] = extentsOf(model.vertices).map((side) => lengthWords(scale * side));
-    this.words.textContent = `${up} high, ${across} wide, ${deep} deep, beside a pencil of ${lengthWords(pencil.length)}.`;
+    const [x, y, z] = extentsOf(model.vertices);
+    this.words.textContent = this.told.check.size({
+      width: scale * x,
+      height: scale * y,
+      depth: scale * z,
+      pencil: pencil.length,
+    });
     this.picture.removeAttribute('hidden');
   }
 
   private drawNothing({ kind }: Wish, nets: Settings['nets']): void {
     this.picture.setAttribute('hidden', '');
-    this.words.textContent = `${kind === 'fit' ? fitWords[nets] : 'How large it gets shows when it is unfolded.'} Choose a height to see it beside a pencil.`;
+    const { chooseHeight, fits } = this.told.check;
+    this.words.textContent = `${fits[kind === 'fit' ? nets : 'other']} ${chooseHeight}`;
   }
 }

@@ -6,9 +6,8 @@ import type { StudioPlace } from './place.js';
 /** What these fields decide. */
 export type Size = Pick<Settings, (typeof sizings)[number] | 'unit' | 'up'>;
 
-/** How the number of each kind of size is asked for. */
+/** What numbers each kind of size takes. */
 interface Amount {
-  label: string;
   least: string;
   most: string;
   step: string;
@@ -16,11 +15,11 @@ interface Amount {
 }
 
 const amounts: Readonly<Record<Exclude<Sizing, 'fit'>, Amount>> = {
-  height: { label: 'Height, mm', least: '1', most: '100000', step: 'any', start: '150' },
-  width: { label: 'Width, mm', least: '1', most: '100000', step: 'any', start: '150' },
-  depth: { label: 'Depth, mm', least: '1', most: '100000', step: 'any', start: '150' },
-  scale: { label: 'Factor', least: '0.000001', most: '1000000', step: 'any', start: '1' },
-  sheets: { label: 'Sheets at most', least: '1', most: '1000', step: '1', start: '4' },
+  height: { least: '1', most: '100000', step: 'any', start: '150' },
+  width: { least: '1', most: '100000', step: 'any', start: '150' },
+  depth: { least: '1', most: '100000', step: 'any', start: '150' },
+  scale: { least: '0.000001', most: '1000000', step: 'any', start: '1' },
+  sheets: { least: '1', most: '1000', step: '1', start: '4' },
 };
 
 /** How large a model is wished to be: a kind of size and its number; none while the number makes no sense. */
@@ -98,8 +97,8 @@ export class SizeFields extends Panel {
       this.amount.value = '';
       return;
     }
-    const { label, least, most, step, start } = amounts[sizing];
-    this.amountLabel.textContent = label;
+    const { least, most, step, start } = amounts[sizing];
+    this.amountLabel.textContent = this.told.form[sizing];
     Object.assign(this.amount, { min: least, max: most, step, value: start });
   }
 }

@@ -17,6 +17,8 @@ export type OpenModel = Pick<
   | 'lastStep'
   | 'nextStep'
   | 'before'
+  | 'project'
+  | 'settings'
 >;
 
 /** A run that is drawn, but not on the page yet. */

@@ -1,3 +1,4 @@
+import type { CarriedEdits } from '../api/carry-edits.js';
 import type { DocumentState } from '../api/document-state.js';
 import type { RunWork } from '../api/work.js';
 import { JobError } from '../core/job-error.js';
@@ -11,37 +12,32 @@ import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { touchedParts } from './edit-words.js';
 import { failureOf, type Ending } from './ending.js';
-import { editedRun, newRun, type FinishedRun } from './finished-run.js';
+import { editedRun, type FinishedRun } from './finished-run.js';
 import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
 import { mayFollow, paceOf, type Pace, type Step } from './pace.js';
+import { replacing, unfolding, type NextRun } from './next-run.js';
 import { never } from './place.js';
-import type { Aspect } from './quick-looks.js';
+import type { Aspect, Wishes } from './quick-looks.js';
+import { sessionIn } from './replaced-model.js';
+import { finishedParts } from './result-words.js';
 import { RunPictures } from './run-pictures.js';
+import type { Scene, Topic, Work } from './scene.js';
 import type { OpenModel, StoreNeeds } from './store-needs.js';
 import { Topics } from './topics.js';
+import { WorkEnd } from './work-end.js';
+import type { Project } from '../project/project.js';
 
-/** What is being done. */
-export type Work = 'idle' | 'running' | 'editing';
-
-/** What fills the page: the pictures of a run need the room of a result. */
-export type Scene = 'welcome' | 'empty' | 'check' | 'pictures' | 'result';
-
-/** What can change. */
-export type Topic = 'choice' | 'check' | 'work' | 'scene' | 'selection';
-
-/** What a person asks of a run. */
-interface Asked {
-  model: ChosenModel;
-  settings: Settings;
-  fields: FieldValues;
-}
+/** Gets what the pictures of a run go into. */
+type Begin = (pictures: RunPictures) => void;
 
 /**
  * The state of a studio: the model that is chosen, its document with the history, what is being done,
  * and the run on the page. Commands change it, panels hear of it by topics and keep nothing of it. What
  * is on the page and the document's cursor agree whenever nothing is being done.
+ *
+ * A little longer than other files: all of it changes the same few fields.
  */
 export class Store {
   readonly choice = new Choice();
@@ -50,12 +46,14 @@ export class Store {
   private readonly inspector: Inspector;
   /** The session's, of the run on the page. */
   private shownPosition = 0;
+  /** What was shown last of each session, where a history has several. */
+  private readonly runsOf = new WeakMap<OpenModel, FinishedRun>();
   private presentScene: Scene = 'welcome';
   private selected: readonly number[] = [];
   private isRunning = false;
   private steps: Step[] = [];
   private lastStep: Promise<unknown> = Promise.resolve();
-  private abort = new AbortController();
+  private end = new WorkEnd();
   /** Counts runs: one takes over from whatever went on before. */
   private runs = 0;
   /** Counts choices: a file that is slower to read than a later choice is dropped. */
@@ -144,11 +142,11 @@ export class Store {
    * Looks at the chosen model; ends whatever goes on. What was read stays for the run that follows. A file that is
    * no model is not the chosen one any more.
    */
-  async inspect(aspect: Aspect): Promise<Ending> {
+  async inspect(wishes: Wishes): Promise<Ending> {
     const { model } = this.choice;
     if (!model) return { type: 'nothing' };
     const number = this.begin();
-    const inspecting = this.inspector.inspect(model, aspect, this.abort.signal);
+    const inspecting = this.inspector.inspect(model, wishes, this.end.left);
     this.choice.open();
     this.presentScene = this.shownRun ? 'result' : 'empty';
     this.notify('choice', 'check', 'work', 'scene');
@@ -159,6 +157,27 @@ export class Store {
     if (ending.type === 'inspected') this.choice.accept(ending.check.name);
     this.endRun(ending);
     return ending;
+  }
+
+  /** Lets the chosen file, which brings its nets along, fill the page as it is; ends whatever goes on. */
+  showExhibit(): void {
+    const { model } = this.choice;
+    if (!model?.exhibit) return;
+    this.begin();
+    this.isRunning = false;
+    this.inspector.forget();
+    this.choice.accept(model.name);
+    this.presentScene = 'exhibit';
+    this.selected = [];
+    this.notify('choice', 'check', 'work', 'scene', 'selection');
+  }
+
+  /** Lets the run before fill the page again. */
+  leaveExhibit(): void {
+    if (!this.shownRun) return;
+    this.selected = [];
+    this.presentScene = 'result';
+    this.notify('scene', 'selection');
   }
 
   /** Lets the model that was looked at fill the page, or the run before again. */
@@ -186,22 +205,47 @@ export class Store {
     this.select(others.length < this.selected.length ? others : [...others, part]);
   }
 
-  /** Unfolds the chosen model afresh; ends whatever goes on. `begin` gets what its pictures go into. */
-  async unfold(
-    settings: Settings,
-    fields: FieldValues,
-    begin: (pictures: RunPictures) => void = () => undefined,
-  ): Promise<Ending> {
+  /** The document on the page as it can be kept; null until there is one. */
+  get document(): Project | null {
+    return this.session?.project() ?? null;
+  }
+
+  /** Resolves when nothing is being done. */
+  async rest(): Promise<void> {
+    while (this.work !== 'idle') await new Promise<void>((resolve) => this.on('work', resolve));
+  }
+
+  /** Unfolds the chosen model afresh; ends whatever goes on. */
+  async unfold(settings: Settings, fields: FieldValues, begin?: Begin): Promise<Ending> {
     const { model } = this.choice;
     if (!model) return { type: 'nothing' };
+    return this.showNext(unfolding(model, settings, fields, this.inspector), begin);
+  }
+
+  /**
+   * Unfolds the chosen model in place of the one on the page, with the same options and with all edits that fit. Undo
+   * goes back to the model before, with its edits.
+   */
+  async replace(begin?: Begin): Promise<{ ending: Ending; carried: CarriedEdits }> {
+    const { session, shownRun: run } = this;
+    const { model } = this.choice;
+    let carried: CarriedEdits = { kept: 0, lost: [] };
+    if (!model || !session || !run) return { ending: { type: 'nothing' }, carried };
+    this.inspector.forget();
+    const next = replacing(model, { session, run }, this.inspector, (made) => (carried = made));
+    return { ending: await this.showNext(next, begin), carried };
+  }
+
+  /** Lets another run, or a document that was kept, take the place of the one on the page; ends whatever goes on. */
+  async showNext(next: NextRun, begin: Begin = () => undefined): Promise<Ending> {
     const number = this.begin();
-    const pictures = new RunPictures(model.name);
+    const pictures = new RunPictures(next.model.name);
     this.choice.open();
     // A model that is being looked at stays until the run has pictures of its own.
     if (this.presentScene !== 'check') this.presentScene = this.shownRun ? 'result' : 'empty';
     begin(pictures);
     this.notify('choice', 'work', 'scene');
-    const ending = await this.runNow({ model, settings, fields }, pictures);
+    const ending = await this.runNow(next, pictures);
     if (this.needs.life.aborted) return never();
     if (number !== this.runs) return { type: 'nothing' };
     this.isRunning = false;
@@ -209,10 +253,25 @@ export class Store {
     return ending;
   }
 
-  /** Ends what is being done. */
+  /** Ends what is being done; all goes back to what was before. */
   cancel(): void {
-    this.abort.abort();
+    this.end.leave();
     this.check?.stop();
+  }
+
+  /**
+   * Whether there is something that `stop` would put on the page: nets of a run, or those of a result that lacks parts,
+   * for which every edit goes on to look.
+   */
+  get canStop(): boolean {
+    const { result } = this.shownRun ?? {};
+    const lacksParts = result && finishedParts(result) < result.parts;
+    return (this.isRunning || lacksParts === true) && this.work !== 'idle' && this.end.canStop;
+  }
+
+  /** Ends the work and takes the pieces that are there. */
+  stop(): void {
+    if (this.canStop) this.end.stop();
   }
 
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
@@ -239,7 +298,7 @@ export class Store {
   /** Ends what is being done for something else, whose number it returns. */
   private begin(): number {
     this.cancel();
-    this.abort = new AbortController();
+    this.end = new WorkEnd();
     this.isRunning = true;
     return ++this.runs;
   }
@@ -256,41 +315,46 @@ export class Store {
   }
 
   /** Each run has a session of its own: that of the page stays until there is another run to show. */
-  private async runNow(asked: Asked, pictures: RunPictures): Promise<Ending> {
-    const { model, settings, fields } = asked;
-    const { signal } = this.abort;
+  private async runNow(next: NextRun, pictures: RunPictures): Promise<Ending> {
+    const { end } = this;
     let [wasRead, isWhole] = [false, true];
     const onEvent = (event: TimedEvent): void => {
       wasRead ||= event.type === 'model';
       if (event.type === 'cancelled') isWhole = false;
-      this.follow(event, signal);
+      this.follow(event, end);
     };
-    // A whole result is worth more than a part of the next one.
-    const work: RunWork = { signal, onEvent, pictures: true, keepBest: this.shownRun === null };
+    const work: RunWork = {
+      signal: end.left,
+      stop: end.stopped,
+      onEvent,
+      pictures: true,
+      drafts: true,
+    };
     try {
-      const session = await this.inspector.open(model);
-      await session.runWith(settings, work);
-      const { result } = await session.state();
-      const read = { ...model, name: result.file };
-      const run = newRun({ model: read, settings, fields, pictures, result });
-      return await this.present(run, { session, isWhole });
+      const session = await next.make(work);
+      const run = await next.finished(session, pictures);
+      return await this.present(run, { session, isWhole, position: session.position });
     } catch (error) {
-      if (signal.aborted) return { type: 'cancelled' };
+      if (end.left.aborted) return { type: 'cancelled' };
+      if (end.stopped.aborted) return { type: 'empty' };
       if (!(error instanceof JobError)) throw error;
       return failureOf(error, wasRead);
     }
   }
 
-  private follow(event: TimedEvent, signal: AbortSignal): void {
+  private follow(event: TimedEvent, end: WorkEnd): void {
     if (this.needs.life.aborted) return;
     this.needs.onEvent(event);
-    if (signal.aborted) return;
+    if (end.left.aborted) return;
     if (event.type === 'model' && this.isRunning) {
       this.choice.accept(event.file);
+      // What was chosen of a file that was only looked at are no parts of what comes.
+      if (this.presentScene === 'exhibit') this.selected = [];
       this.presentScene = 'pictures';
       this.notify('choice', 'scene');
     }
     this.needs.follow(event);
+    if (end.follow(event)) this.notify('work');
   }
 
   /** A file that cannot be read is not the chosen one any more. */
@@ -305,13 +369,14 @@ export class Store {
   private get restingScene(): Scene {
     if (this.shownRun) return 'result';
     if (this.check?.hasToDecide) return 'check';
+    if (this.choice.model?.exhibit) return 'exhibit';
     return this.presentScene === 'pictures' ? 'pictures' : 'welcome';
   }
 
   private async step(step: Step): Promise<Ending> {
     const { session } = this;
     if (!session || !this.accepts(step.pace)) return { type: 'nothing' };
-    if (this.steps.length === 0) this.abort = new AbortController();
+    if (this.steps.length === 0 || this.end.stopped.aborted) this.end = new WorkEnd();
     this.steps.push(step);
     this.notify('work');
     try {
@@ -324,33 +389,41 @@ export class Store {
   }
 
   private async stepNow(session: OpenModel, step: Step): Promise<Ending> {
-    const { signal } = this.abort;
+    const { end } = this;
     // The next step can be made while this one is drawn.
-    const made = this.lastStep.then(() => this.make(session, step, signal));
+    const made = this.lastStep.then(() => this.make(session, step, end));
     this.lastStep = made.catch(() => undefined);
     const { runs } = this;
     const outcome = await made;
     if (this.needs.life.aborted) return never();
     if ('type' in outcome) return outcome;
     if (!this.shownRun || runs !== this.runs) return { type: 'nothing' };
-    const { state, position } = outcome;
-    return this.present(editedRun(this.shownRun, state), { session, position, edits: step.edits });
+    const { state, position, run = this.shownRun } = outcome;
+    return this.present(editedRun(run, state), { session, position, edits: step.edits });
   }
 
   private async make(
     session: OpenModel,
     step: Step,
-    signal: AbortSignal,
-  ): Promise<Ending | { state: DocumentState; position: number }> {
-    const work = { signal, onEvent: (event: TimedEvent) => this.follow(event, signal) };
+    end: WorkEnd,
+  ): Promise<Ending | { state: DocumentState; position: number; run: FinishedRun | undefined }> {
+    const signal = end.left;
+    const work = {
+      signal,
+      stop: end.stopped,
+      onEvent: (event: TimedEvent) => this.follow(event, end),
+    };
     try {
       signal.throwIfAborted();
       const made = await step.make(session, work);
       if (made === false) return { type: 'nothing' };
       if (made !== true && !made.ok) return { type: 'refused', refusal: made };
-      return { state: await session.state(work), position: session.position };
+      const { position } = session;
+      const run = this.runsOf.get(sessionIn(session));
+      return { state: await session.state(work), position, run };
     } catch (error) {
       if (signal.aborted) return { type: 'cancelled' };
+      if (end.stopped.aborted) return { type: 'empty' };
       if (!(error instanceof JobError)) throw error;
       return failureOf(error, true);
     }
@@ -384,12 +457,15 @@ export class Store {
     if (!drawing || runs !== this.runs) return { type: 'nothing' };
     const before = this.session === session ? this.shownRun : null;
     const isNaming = before !== null && isRenaming(before.result, run.result);
+    const isBack = before !== null && before.model.files !== run.model.files;
+    if (isBack) this.choice.comeBack(run.model);
+    this.runsOf.set(sessionIn(session), run);
     [this.shownRun, this.session, this.shownPosition] = [run, session, position];
     this.presentScene = 'result';
     // Nobody shall look for a part that is gone.
     this.selected = this.selected.filter((part) => part < run.result.parts);
     drawing.show({ isRenaming: isNaming });
-    this.notify('scene');
+    this.notify('scene', ...(isBack ? (['choice'] as const) : []));
     if (!isNaming) this.select(before ? touchedParts(before.result, run.result, edits) : []);
     return { type: 'shown', run, isWhole };
   }

@@ -1,23 +1,28 @@
 import { makeDoor } from '../api/door.js';
-import { loadFont } from '../browser/font-loader.js';
-import { loadRenderer } from '../browser/renderer-loader.js';
+import { pageLoader } from '../browser/page-assets.js';
 import type { Pool } from '../core/pool.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { remedyEdits, type Remedy } from '../model/remedies.js';
+import type { Settings } from '../model/options.js';
+import type { FoldedNets } from '../read/fold/folded-nets.js';
 import { changedSettings, type Options } from '../api/written-options.js';
 import type { Painted } from '../view/model-message.js';
-import { missingSupport } from './browser-support.js';
+import type { Message } from '../model/message.js';
+import { phraseOf } from '../words/phrase.js';
+import { isSupported } from './browser-support.js';
 import { Checking } from './checking.js';
 import { triangleWords } from './check-words.js';
 import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
 import { EdgeTool } from './edge-tool.js';
 import type { Ending } from './ending.js';
-import { leadOf, nextSteps, notes } from './ending-words.js';
+import { leadOf, wordsFor } from './ending-words.js';
+import { ExhibitPanel } from './exhibit-panel.js';
 import { FilePicker } from './file-picker.js';
 import type { FinishedRun } from './finished-run.js';
 import { HatchSwitch } from './hatch-switch.js';
+import { lostWords } from './lost-words.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
 import { fetchModelFile, readModelFiles, UnusableChoice, type ChosenModel } from './model-file.js';
@@ -25,17 +30,25 @@ import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
 import { PieceTool } from './piece-tool.js';
-import { PendingSettings } from './pending-settings.js';
+import { PendingSettings, type FieldValues } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
+import { PaperHabit } from './paper-habit.js';
 import { PaperFollower } from './paper-follower.js';
-import { ProgressPanel, type ProgressPlace } from './progress-panel.js';
+import { reopening } from './next-run.js';
+import { ReplaceButton } from './replace-button.js';
+import { PrintView } from './print-view.js';
+import { ProgressPanel } from './progress-panel.js';
+import { ProjectDesk } from './project-desk.js';
 import { type DrawnRun, ResultPanel } from './result-panel.js';
 import { SampleGallery } from './sample-gallery.js';
+import { SceneLayout, type Page } from './scene-layout.js';
 import { sentence } from './sentence.js';
 import { SheetList } from './sheet-list.js';
+import { Splitter } from './splitter.js';
 import { StepsPanel } from './steps-panel.js';
 import { Store } from './store.js';
 import type { Drawing } from './store-needs.js';
+import { Tabs } from './tabs.js';
 import { listenForUndo } from './undo-keys.js';
 import { VerdictPanel } from './verdict-panel.js';
 import { Workshop } from './workshop.js';
@@ -47,10 +60,14 @@ const preparation = 300;
 const editPatience = 500;
 
 export interface StudioListener {
+  /** Whether the browser shall keep the work by itself. */
+  readonly keeps: boolean;
   /** The studio is complete, and begins to load what a run needs. */
   onReady(): void;
   /** What runs tell. */
   onEvent(event: TimedEvent): void;
+  /** The page on which a model is chosen, or the bench for one, is there. */
+  onPage(page: Page): void;
 }
 
 /**
@@ -67,15 +84,23 @@ export class Studio extends Panel {
     void this.choose(model);
   });
   private readonly choice = new ModelChoice(this.place, this.form, this.gallery);
-  private readonly progress = new ProgressPanel(this.place, () => this.store.cancel());
+  private readonly progress = new ProgressPanel(this.place, {
+    cancel: () => this.store.cancel(),
+    stop: () => this.store.stop(),
+  });
   private readonly workshop: Workshop;
   private readonly checking: Checking;
+  private readonly exhibits: ExhibitPanel;
   private readonly result: ResultPanel;
   private readonly parts: PartsPanel;
   private readonly edges: EdgeTool;
   private readonly verdict: VerdictPanel;
   private readonly pieces: PieceTool;
-  private readonly welcome = this.find('#welcome', HTMLElement);
+  private readonly desk: ProjectDesk;
+  private readonly door = makeDoor({ startPool: () => this.engine(), ...pageLoader });
+  private readonly status = this.find('#status', HTMLElement);
+  private readonly tabs = new Tabs(this.place);
+  private readonly layout: SceneLayout;
   /** Whether this browser can run it. */
   private isOpen = false;
 
@@ -87,29 +112,37 @@ export class Studio extends Panel {
   ) {
     super(place);
     this.store = this.makeStore();
+    this.desk = new ProjectDesk(place, this.store, {
+      open: (coming) => void this.choose(coming),
+      tell: (...words) => this.message.show(...words),
+    });
     const sheets = new SheetList(place, {
       point: (where) => this.pieces.point(this.edges.point(where) ? null : where),
       press: (where, adds) => {
         if (adds || !this.edges.press(where)) this.pieces.press(where, adds);
       },
+      reveal: () => this.tabs.show('sheets'),
     });
+    new Splitter(place);
+    this.layout = new SceneLayout(place, (page) => listener.onPage(page));
     this.edges = new EdgeTool(place, this.store, {
       light: (lights) => sheets.light(lights),
       lock: (signs) => sheets.lock(signs),
       lightModel: (lit, from) => this.workshop.light(lit, from),
       reveal: (sheet) => sheets.reveal(sheet),
-      change: (edit) => this.edit(this.store.apply([edit]), (run) => `Done: ${leadOf(run)}`),
+      change: (edit) => this.edit(this.store.apply([edit]), (run) => this.done(run)),
       alone: () => this.pieces.close(),
       findOther: (name) => this.pieces.findNamed(name),
     });
     this.pieces = new PieceTool(place, this.store, sheets, {
       lightFaces: (faces) => this.workshop.lightFaces(faces),
       change: (edit, words) =>
-        this.edit(this.store.apply([edit]), (run) => words ?? `Done: ${leadOf(run)}`),
+        this.edit(this.store.apply([edit]), (run) => words ?? this.done(run)),
       alone: () => this.edges.close(),
     });
     this.workshop = new Workshop(place, {
       point: ({ face, why }) => {
+        if (this.store.scene === 'exhibit' && why !== 'over') this.exhibits.press(face);
         if (this.store.scene !== 'result') return;
         if (why === 'over') this.pieces.pointAtFace(face);
         else if (face >= 0) this.pieces.pressFace(face, why === 'add');
@@ -120,18 +153,28 @@ export class Studio extends Panel {
       show: (finding) => this.edges.walkThrough(finding),
       mend: (remedy) => this.mend(remedy),
     });
+    this.exhibits = new ExhibitPanel(place, this.store, this.workshop);
     this.checking = new Checking(place, this.store, this.form, this.workshop);
     const steps = new StepsPanel(place, {
       mark: (marks) => sheets.mark(marks),
+      markModel: (marks) => this.workshop.markStep(marks),
       show: (time) => this.workshop.fold(time),
     });
-    const downloads = new DownloadBar(place, (format, reason) =>
-      this.message.show(
-        `The ${format} file could not be written`,
-        reason === null ? 'The result is still here.' : sentence(reason),
-      ),
+    const downloads = new DownloadBar(
+      place,
+      (format, reason) =>
+        this.message.show(
+          this.told.run.notWritten(format),
+          reason === null ? this.told.run.resultIsHere : sentence(reason),
+        ),
+      () => paper.range,
     );
     this.result = new ResultPanel(place, downloads, sheets, steps, (look) => this.restyle(look));
+    const paper = new PrintView(place, this.store, {
+      pages: () => this.result.pages(),
+      fail: () => this.message.show(this.told.run.notPrinted, this.told.run.onceMore),
+    });
+    this.result.onLook = () => void paper.refresh();
     const move = { undo: () => void this.undo(), redo: () => void this.redo() };
     this.parts = new PartsPanel(place, this.store, {
       change: (edits) => void this.change(edits),
@@ -142,6 +185,7 @@ export class Studio extends Panel {
     new HatchSwitch(place, (hatched) => this.workshop.hatch(hatched));
     this.store.on('choice', () => this.choice.show(this.store.choice));
     this.store.on('work', () => {
+      this.progress.canStop = this.store.canStop;
       if (this.store.work === 'idle') void this.result.offerLook();
     });
     this.store.on('scene', () => this.setScene());
@@ -153,14 +197,18 @@ export class Studio extends Panel {
 
   /** Opens the studio for choices, or says why this browser cannot run it. */
   async start(): Promise<void> {
-    const missing = missingSupport();
-    if (missing !== null) {
-      this.message.show('Foldwright cannot run in this browser', missing);
+    if (!isSupported()) {
+      this.message.show(this.told.run.noBrowser, this.told.run.browserLacks);
       this.form.close();
       return;
     }
     this.isOpen = true;
+    if (this.listener.keeps) {
+      new PaperHabit(this.place, this.form);
+      void this.desk.keep();
+    }
     new FilePicker(this.place, (files) => void this.choose(files.then(readModelFiles)));
+    new ReplaceButton(this.place, this.store, (files) => void this.replace(readModelFiles(files)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
     // All is there now: while a model is being chosen there is time for what a run needs.
     setTimeout(() => this.prepare(), preparation);
@@ -176,10 +224,20 @@ export class Studio extends Panel {
     if (this.isOpen) void this.choose(fetchModelFile(address, base, this.place.life), false);
   }
 
+  /** What there is to go on with in another studio, once nothing is being computed; null if there is nothing. */
+  async handOver(): Promise<ChosenModel | null> {
+    await this.store.rest();
+    return this.desk.handOver();
+  }
+
+  /** Goes on with what another studio has handed over. */
+  goOn(work: ChosenModel): void {
+    if (this.isOpen) void this.choose(Promise.resolve(work));
+  }
+
   private makeStore(): Store {
-    const { open } = makeDoor({ startPool: this.engine, loadFont, loadRenderer });
     return new Store({
-      open: (files) => open(files, { pool: this.engine }),
+      open: (files) => this.door.open(files, { pool: this.engine }),
       draw: (run) => this.draw(run),
       follow: (event) => {
         this.progress.follow(event);
@@ -199,17 +257,69 @@ export class Studio extends Panel {
 
   private setScene(): void {
     const { scene, run, work } = this.store;
-    this.welcome.hidden = scene !== 'welcome';
+    this.layout.show(scene);
+    this.workshop.open = ['pictures', 'check', 'exhibit'].includes(scene);
     this.result.open = scene === 'result';
-    this.workshop.open = scene === 'pictures' || scene === 'check';
     // A model that was looked at has had its picture.
     if (scene === 'result' && work === 'idle' && run) this.comeBack(run);
   }
 
   /** Takes a model and unfolds it, or holds it where there is something to decide before. */
   private async choose(coming: Promise<ChosenModel>, mayHold = true): Promise<void> {
-    const isTaken = await this.store.choose(coming).catch((error: unknown) => this.explain(error));
-    if (isTaken === true) await this.inspect(mayHold);
+    const unpacked = coming.then((model) => this.desk.unpacked(model));
+    const isTaken = await this.store
+      .choose(unpacked)
+      .catch((error: unknown) => this.explain(error));
+    if (isTaken !== true) return;
+    const { model } = this.store.choice;
+    if (model?.project) await this.reopen();
+    else if (model?.exhibit) this.exhibit(model.exhibit);
+    else await this.inspect(mayHold);
+  }
+
+  /** Shows the chosen file with its nets, and says that it is only a look. */
+  private exhibit({ pieces }: FoldedNets): void {
+    this.message.clear();
+    this.store.showExhibit();
+    this.progress.end(this.told.exhibit.lead(pieces.length));
+  }
+
+  /** Opens the project that is chosen, with its history. */
+  private async reopen(): Promise<void> {
+    const { model } = this.store.choice;
+    const project = model?.project;
+    if (!project) return;
+    this.message.clear();
+    this.progress.begin(model.name);
+    const fieldsOf = (settings: Settings): FieldValues => {
+      this.form.fillAll(settings);
+      return this.settings.read();
+    };
+    const next = reopening(model, fieldsOf, () => this.door.reopen(project, { pool: this.engine }));
+    const ending = await this.store.showNext(next, (pictures) => this.workshop.begin(pictures));
+    if (ending.type === 'shown') await this.tellRun(ending);
+    else if (ending.type !== 'nothing') this.leave(ending, model);
+  }
+
+  /** Lets a corrected model take the place of the one on the page, and tells what has become of the edits. */
+  private async replace(coming: Promise<ChosenModel>): Promise<void> {
+    const chosen = coming.then((each) => this.desk.replacement(each));
+    const isTaken = await this.store.choose(chosen).catch((error: unknown) => this.explain(error));
+    // A file that is none is not the chosen one any more when that is told.
+    const { model } = this.store.choice;
+    const { run } = this.store;
+    if (isTaken !== true || !model || !run) return;
+    this.message.clear();
+    this.progress.begin(model.name);
+    this.desk.begin(model, run.settings);
+    const { ending, carried } = await this.store.replace((pictures) =>
+      this.workshop.begin(pictures),
+    );
+    if (ending.type === 'nothing') return;
+    if (ending.type !== 'shown') return this.leave(ending, model);
+    await this.tellRun(ending);
+    const [headline, ...lost] = lostWords(this.told, carried);
+    if (headline !== undefined) this.message.show(headline, ...lost);
   }
 
   /** Unfolds what is chosen; what nobody has looked at, nor is looking at, is looked at first. */
@@ -225,7 +335,7 @@ export class Studio extends Panel {
     if (!model) return;
     this.message.clear();
     if (this.form.isValid) this.progress.begin(model.name);
-    const ending = await this.store.inspect(this.checking.ownAspect);
+    const ending = await this.store.inspect(this.checking.ownWishes);
     if (ending.type === 'nothing') return;
     if (ending.type !== 'inspected') return this.leave(ending, model);
     const { check } = ending;
@@ -241,7 +351,7 @@ export class Studio extends Panel {
   /** Shows a model before it is unfolded, and waits for the person. */
   private hold({ faces, proposal }: Check): void {
     this.store.showCheck(true);
-    this.progress.end(`Check the model. ${triangleWords(faces, proposal)}`);
+    this.progress.end(this.told.run.hold(triangleWords(this.told, faces, proposal)));
     void this.checking.reveal();
   }
 
@@ -253,6 +363,7 @@ export class Studio extends Panel {
     const asked = { ...changedSettings(fields, this.result.look), nets };
     this.message.clear();
     this.progress.begin(model.name);
+    this.desk.begin(model, asked);
     const ending = await this.store.unfold(asked, this.settings.read(), (pictures) =>
       this.workshop.begin(pictures),
     );
@@ -266,25 +377,27 @@ export class Studio extends Panel {
     await this.result.complete();
     if (this.store.run !== run) return;
     const { hasFocus } = this.progress;
-    this.progress.end(isWhole ? `Done: ${leadOf(run)}` : `Cancelled. ${leadOf(run)}`);
-    this.form.action = 'Unfold again';
+    this.progress.end(isWhole ? this.done(run) : this.told.run.stopped(leadOf(this.told, run)));
+    this.form.action = this.told.run.unfoldAgain;
     if (hasFocus) this.result.focus();
   }
 
   /** Says why nothing came out: the result before is back, or else the pictures of the run stay with a note. */
   private leave(ending: Ending, { name }: ChosenModel): void {
+    this.desk.giveUp();
     const { hasFocus } = this.progress;
     const { run } = this.store;
+    const { run: told } = this.told;
     if (run) this.comeBack(run);
-    else this.workshop.stop(notes[ending.type] ?? '');
+    else this.workshop.stop(wordsFor(told.notes, ending.type));
     if (hasFocus) this.form.focus();
-    this.progress.end(ending.type === 'cancelled' ? 'Cancelled.' : '');
+    this.progress.end(wordsFor(told.farewells, ending.type));
+    if (ending.type === 'empty') this.message.show(...told.nothingToUse);
     if (ending.type === 'undrawn') this.tellUndrawn(ending.run);
     if (ending.type !== 'failed') return;
-    const rest = run ? [`What is below is still the result of “${run.model.name}”.`] : [];
-    const { text, cause } = ending;
-    const headline = `“${name}” could not be unfolded`;
-    this.message.show(headline, sentence(text), nextSteps[cause], ...rest);
+    const rest = run ? [told.stillThere(run.model.name)] : [];
+    const why = sentence(phraseOf(this.told, ending));
+    this.message.show(told.notUnfolded(name), why, told.nextSteps[ending.cause], ...rest);
   }
 
   /** Another run may have used the panels of the result that is on the page. */
@@ -300,7 +413,7 @@ export class Studio extends Panel {
   /** Does what helps; what takes a new search is left to the person, in the form. */
   private mend(remedy: Remedy): void {
     const edits = remedyEdits(remedy);
-    if (edits) void this.change(edits, { host: this.verdict.progress });
+    if (edits) void this.change(edits);
     else if (remedy.kind === 'faces') {
       this.form.faces.set(remedy.faces);
       this.settings.reveal();
@@ -309,27 +422,25 @@ export class Studio extends Panel {
 
   /** Gives faces to the part in whose colour they were painted; that part counts from 0. */
   private async paint({ faces, part }: Painted): Promise<void> {
-    // The model that is painted stays where it is.
-    const where = { host: this.parts.progress, isQuiet: true };
-    const isMade = await this.change([{ kind: 'assign', faces, part: part + 1 }], where);
+    const isMade = await this.change([{ kind: 'assign', faces, part: part + 1 }]);
     const { run, work } = this.store;
     if (!isMade && run && work !== 'running') this.workshop.repaint(run.result.labels);
   }
 
   /** Makes edits; false if nothing came of them. */
-  private async change(edits: readonly DocumentEdit[], where?: ProgressPlace): Promise<boolean> {
-    const done = (run: FinishedRun): string => `Done: ${leadOf(run)}`;
-    const ending = await this.edit(this.store.apply(edits), done, where);
-    if (ending.type === 'refused') this.tellUnchanged(ending.refusal.params.text);
+  private async change(edits: readonly DocumentEdit[]): Promise<boolean> {
+    const ending = await this.edit(this.store.apply(edits), (run) => this.done(run));
+    if (ending.type === 'refused') this.tellUnchanged(ending.refusal);
     return ending.type === 'shown';
   }
 
   /** Names a part: only texts on paper change. */
   private async rename(edit: Extract<DocumentEdit, { kind: 'name' }>): Promise<void> {
     const { text, part } = edit;
-    const words = text === '' ? 'The name is gone.' : `Named ${text}.`;
+    const words = text === '' ? this.told.run.nameGone : this.told.run.named(text);
     const ending = await this.edit(this.store.apply([edit]), () => words);
-    if (ending.type === 'refused') this.parts.refuse(part, sentence(ending.refusal.params.text));
+    if (ending.type === 'refused')
+      this.parts.refuse(part, sentence(phraseOf(this.told, ending.refusal)));
   }
 
   /** Changes how lines look, which is seen already; false if that cannot be done now. */
@@ -340,25 +451,27 @@ export class Studio extends Panel {
 
   private async undo(): Promise<void> {
     if (!this.store.canMove || !this.store.undoable) return;
-    await this.edit(this.store.undo(), (run) => `Undone: ${leadOf(run)}`);
+    await this.edit(this.store.undo(), (run) => this.told.run.undone(leadOf(this.told, run)));
   }
 
   private async redo(): Promise<void> {
     if (!this.store.canMove || !this.store.redoable) return;
-    await this.edit(this.store.redo(), (run) => `Made again: ${leadOf(run)}`);
+    await this.edit(this.store.redo(), (run) => this.told.run.madeAgain(leadOf(this.told, run)));
+  }
+
+  private done(run: FinishedRun): string {
+    return this.told.run.done(leadOf(this.told, run));
   }
 
   /** Follows a change of the result to its end, and tells it. */
-  private async edit(
-    change: Promise<Ending>,
-    done: (run: FinishedRun) => string,
-    where: ProgressPlace = { host: this.parts.progress },
-  ): Promise<Ending> {
+  private async edit(change: Promise<Ending>, done: (run: FinishedRun) => string): Promise<Ending> {
     this.message.clear();
     const begin = (): void => {
       const { run, work } = this.store;
-      if (run && work === 'editing') this.progress.begin(run.model.name, where);
+      if (run && work === 'editing')
+        this.progress.begin(run.model.name, { host: this.status, isQuiet: true });
     };
+    this.progress.prepare();
     const late = setTimeout(begin, editPatience);
     const ending = await change;
     clearTimeout(late);
@@ -369,9 +482,9 @@ export class Studio extends Panel {
     if (this.progress.hasFocus) this.parts.focus();
     this.progress.end('');
     if (ending.type === 'shown') this.progress.end(done(ending.run));
-    if (ending.type === 'cancelled') this.progress.end('Cancelled. All is as it was.');
+    if (ending.type === 'cancelled') this.progress.end(this.told.run.editCancelled);
     if (ending.type === 'undrawn') this.tellUndrawn(ending.run);
-    if (ending.type === 'failed') this.tellUnchanged(ending.text);
+    if (ending.type === 'failed') this.tellUnchanged(ending);
     return ending;
   }
 
@@ -397,17 +510,18 @@ export class Studio extends Panel {
     this.pieces.offer(drawn.run);
   }
 
-  private tellUnchanged(reason: string): void {
-    this.message.show('Nothing was changed', sentence(reason));
+  private tellUnchanged(reason: Message): void {
+    this.message.show(this.told.run.nothingChanged, sentence(phraseOf(this.told, reason)));
   }
 
   private tellUndrawn({ model }: FinishedRun): void {
-    this.message.show(`The sheets of “${model.name}” could not be drawn`, 'Try it once more.');
+    const { notDrawn, onceMore } = this.told.run;
+    this.message.show(notDrawn(model.name), onceMore);
   }
 
   /** Tells a failed choice; anything else is a fault of the page and goes on as one. */
   private explain(error: unknown): void {
     if (!(error instanceof UnusableChoice)) throw error;
-    this.message.show('Nothing was unfolded', error.message);
+    this.message.show(this.told.run.nothingUnfolded, error.tell(this.told));
   }
 }

@@ -1,7 +1,7 @@
 import { hasPlaces } from '../model/finding-places.js';
 import { remediesFor, type Remedy } from '../model/remedies.js';
 import { conclusionOf, findingsOn, type Finding, type Level } from '../model/verdict.js';
-import { findingWords, goodWords, headline, remedyWords } from '../words/verdict.js';
+import { findingWords, type VerdictWords } from '../words/verdict.js';
 import { make } from './dom.js';
 import type { FinishedRun } from './finished-run.js';
 import { Panel } from './panel.js';
@@ -17,18 +17,13 @@ export interface VerdictListener {
 }
 
 /** A sign tells a level as its colour does, and a word to those who see neither. */
-const signs: Readonly<Record<Level, { sign: string; word: string }>> = {
-  green: { sign: '✓', word: 'Good: ' },
-  amber: { sign: '!', word: 'Look: ' },
-  red: { sign: '✕', word: 'Stop: ' },
-};
+const signs: Readonly<Record<Level, string>> = { green: '✓', amber: '!', red: '✕' };
 
 /** The sign of a level, and its word. */
-function levelSign(level: Level): HTMLElement[] {
-  const { sign, word } = signs[level];
-  const shape = make('span', { className: `sign sign--${level}`, textContent: sign });
+function levelSign({ levels }: VerdictWords, level: Level): HTMLElement[] {
+  const shape = make('span', { className: `sign sign--${level}`, textContent: signs[level] });
   shape.setAttribute('aria-hidden', 'true');
-  return [shape, make('span', { className: 'visually-hidden', textContent: word })];
+  return [shape, make('span', { className: 'visually-hidden', textContent: `${levels[level]} ` })];
 }
 
 /** Whether a result can be built, what stands against it, where that is, and what helps. */
@@ -50,11 +45,6 @@ export class VerdictPanel extends Panel {
     store.on('work', () => this.wait());
   }
 
-  /** Where the progress of what helps is shown. */
-  get progress(): HTMLElement {
-    return this.find('#verdict-progress', HTMLElement);
-  }
-
   /** Judges another result. */
   offer({ result, settings }: FinishedRun): void {
     const findings = findingsOn(result, settings.margin);
@@ -66,15 +56,19 @@ export class VerdictPanel extends Panel {
       ];
       return this.row(finding, buttons);
     };
+    const { verdict: told } = this.told;
     const hasFocus = this.rows.matches(':focus-within');
     const bad = findings.filter(({ level }) => level !== 'green');
     const good = findings.filter(({ level }) => level === 'green');
-    this.title.replaceChildren(...levelSign(conclusion.level), headline(conclusion, bad.length));
+    this.title.replaceChildren(
+      ...levelSign(told, conclusion.level),
+      told.headline(conclusion, bad.length),
+    );
     // What cannot be built has no words of success.
     this.lead.hidden = isHopeless(result, conclusion);
     this.rows.replaceChildren(...bad.map(row));
     this.good.hidden = good.length === 0;
-    this.goodTitle.textContent = goodWords(good.length);
+    this.goodTitle.textContent = told.good(good.length);
     this.goodRows.replaceChildren(...good.map(row));
     this.wait();
     // The button that was pressed may be gone, and what came of it is told at the top.
@@ -84,10 +78,14 @@ export class VerdictPanel extends Panel {
   }
 
   private row(finding: Finding, buttons: HTMLButtonElement[]): HTMLLIElement {
-    const { title, hint } = findingWords(finding);
+    const { title, hint } = findingWords(this.told.verdict, finding);
     const words = [make('strong', { textContent: title })];
     if (hint !== '') words.push(make('span', { className: 'finding__hint', textContent: hint }));
-    const item = make('li', { className: 'finding' }, ...levelSign(finding.level));
+    const item = make(
+      'li',
+      { className: 'finding' },
+      ...levelSign(this.told.verdict, finding.level),
+    );
     item.append(make('span', { className: 'finding__words' }, ...words));
     if (buttons.length > 0)
       item.append(make('span', { className: 'finding__buttons' }, ...buttons));
@@ -96,14 +94,21 @@ export class VerdictPanel extends Panel {
   }
 
   private showButton(finding: Finding): HTMLButtonElement {
-    const button = make('button', { type: 'button', className: 'button', textContent: 'Show' });
-    button.setAttribute('aria-label', `Show: ${findingWords(finding).title}`);
+    const button = make('button', {
+      type: 'button',
+      className: 'button',
+      textContent: this.told.edges.show,
+    });
+    button.setAttribute(
+      'aria-label',
+      this.told.edges.showWhat(findingWords(this.told.verdict, finding).title),
+    );
     button.addEventListener('click', () => this.listener.show(finding));
     return button;
   }
 
   private mendButton(remedy: Remedy): HTMLButtonElement {
-    const textContent = remedyWords(remedy);
+    const textContent = this.told.verdict.remedy(remedy);
     const button = make('button', { type: 'button', className: 'button', textContent });
     button.dataset['mends'] = remedy.kind;
     button.addEventListener('click', () => {

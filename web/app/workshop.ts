@@ -1,9 +1,12 @@
 import type { JobEvent, JobResult, Piece } from '../model/job.js';
 import type { Vector } from '../model/vector.js';
+import type { FoldedNets } from '../read/fold/folded-nets.js';
 import { ChartPanel } from './chart-panel.js';
 import { MatrixPanel } from './matrix-panel.js';
+import type { ModelMarks } from './model-marks.js';
 import { ModelPanel, type ModelListener } from './model-panel.js';
 import { NetPanel } from './net-panel.js';
+import { NetsPanel } from './nets-panel.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { RunPictures } from './run-pictures.js';
@@ -15,13 +18,15 @@ export interface Preview {
   faces: Int32Array;
   /** Parts in whose colours faces are marked; -1 is blank paper. */
   labels: Int32Array;
-  /** Whether it is the model before with another number of triangles. */
+  /** Whether it is the model before with another number of triangles, or mended otherwise. */
   isSame: boolean;
+  /** Whether what lies inside is seen through its faces. */
+  isGlass: boolean;
 }
 
 /**
- * Where a run can be watched: the model, its foldability, the net under search and its fitness.
- * When a result arrives, the model moves beside it and the other pictures below it.
+ * Where a run can be watched: the model, the nets so far and, for those who want to know how it works, its foldability,
+ * the net under search and its fitness. When a result arrives, the model moves beside it and how it works below it.
  */
 export class Workshop extends Panel {
   private readonly room = this.find('#workshop', HTMLElement);
@@ -32,6 +37,8 @@ export class Workshop extends Panel {
   private readonly matrix = new MatrixPanel(this.place);
   private readonly net = new NetPanel(this.place);
   private readonly chart = new ChartPanel(this.place);
+  private readonly nets = new NetsPanel(this.place);
+  private readonly how = this.find('#how', HTMLElement);
   /** Of the present run, or the last one. */
   private present = new RunPictures('');
   /** Those that the panels show. */
@@ -66,10 +73,12 @@ export class Workshop extends Panel {
   /** Takes an event of the run in. */
   follow(event: JobEvent): void {
     const { present } = this;
+    this.nets.follow(event);
     switch (event.type) {
       case 'model':
         this.enter();
         this.model.show(present, event);
+        this.nets.begin(event);
         break;
       case 'learned':
         if (!event.matrix) break;
@@ -95,15 +104,25 @@ export class Workshop extends Panel {
   }
 
   /** Shows a model that is not unfolded yet. */
-  preview({ name, vertices, faces, labels, isSame }: Preview): void {
+  preview({ name, vertices, faces, labels, isSame, isGlass }: Preview): void {
     this.shownPictures = null;
     this.note.hidden = true;
     this.model.prepare();
-    this.model.preview(name, { vertices, faces }, isSame);
+    this.model.preview(name, { vertices, faces }, { keepsView: isSame, isGlass });
     this.model.paint(labels);
     if (isSame) return;
-    this.views.append(this.model.figure);
+    this.views.prepend(this.model.figure);
     this.model.turn(true);
+  }
+
+  /** Shows a model that came with its nets, which is not unfolded. */
+  exhibit(name: string, nets: FoldedNets): void {
+    this.shownPictures = null;
+    this.note.hidden = true;
+    this.model.prepare();
+    this.model.turn(false);
+    this.model.exhibit(name, nets);
+    this.views.prepend(this.model.figure);
   }
 
   /** Whether the panels show what belongs to a result. */
@@ -152,6 +171,11 @@ export class Workshop extends Panel {
     this.model.light(edges, from);
   }
 
+  /** Marks the edges that a building step is about, in place of those of another one. */
+  markStep(marks: ModelMarks): void {
+    this.model.markStep(marks);
+  }
+
   /** Lets parts of the finished model stand out from all others, unless there are none. */
   select(parts: readonly number[]): void {
     this.model.select(parts);
@@ -166,6 +190,7 @@ export class Workshop extends Panel {
   hatch(hatched: boolean): void {
     this.model.hatch(hatched);
     this.net.hatch(hatched);
+    this.nets.hatch(hatched);
   }
 
   private enter(): void {
@@ -174,7 +199,8 @@ export class Workshop extends Panel {
     this.matrix.clear();
     this.net.clear();
     this.chart.show(this.present.fitness);
-    this.views.append(this.model.figure, this.pictures);
+    this.views.prepend(this.model.figure);
+    this.how.append(this.pictures);
     this.model.turn(true);
   }
 }

@@ -1,3 +1,4 @@
+import { pageAssets } from '../browser/page-assets.js';
 import { startModuleWorker } from '../browser/module-worker.js';
 import { never } from './place.js';
 import type { WriterAnswer, WriterMessage, WriterOrder, WriterSource } from './writer-worker.js';
@@ -70,6 +71,8 @@ export class WriterHost {
       this.end.abort(new Error(message));
       this.end = new AbortController();
     });
+    const message: WriterMessage = { type: 'begin', assets: pageAssets };
+    worker.postMessage(message);
     return worker;
   }
 }

@@ -1,13 +1,14 @@
 /** Entry of the worker that writes a result: the sheets for the screen, and files to keep. */
 import { buffersOf } from '../core/transfer.js';
-import type { ExportFormat } from '../export/formats.js';
+import type { DrawnFormat } from '../export/formats.js';
 import { preparePrint, type Print } from '../export/print.js';
+import { printedPages, type PrintedPage } from '../export/printed-pages.js';
 import { writeSvg } from '../export/svg.js';
 import type { JobResult, Notice } from '../model/job.js';
+import type { SheetRange } from '../model/sheet-range.js';
 import type { PrintOptions } from '../model/print-options.js';
 import { exportResult, type ExportedFile } from './exporters.js';
-import { loadFont } from '../browser/font-loader.js';
-import { loadRenderer } from '../browser/renderer-loader.js';
+import { assetLoader, type AssetAddresses, type AssetLoader } from '../browser/asset-loader.js';
 
 /** What is written. */
 export interface WriterSource {
@@ -22,13 +23,17 @@ export interface WriterSource {
 export type WriterOrder = { options: PrintOptions } & (
   | /** One sheet as SVG, counted from 0. Answered by its text. */
     { type: 'sheet'; sheet: number }
-    /** All sheets in a format. Answered by an `ExportedFile`. */
-  | { type: 'file'; format: ExportFormat }
+    /** The sheets that are wanted in a format. Answered by an `ExportedFile`. */
+  | { type: 'file'; format: DrawnFormat; only: SheetRange }
+  /** All pages as they are printed. Answered by a list of `PrintedPage`. */
+  | { type: 'pages' }
   /** What a person should know of the sheets. Answered by a list of `Notice`. */
   | { type: 'notices' }
 );
 
 export type WriterMessage =
+  /** The first one: where the worker finds fonts and renderers. */
+  | { type: 'begin'; assets: AssetAddresses }
   /** A result to be written, under a number of its own. */
   | { type: 'result'; result: number; source: WriterSource }
   /** Comes with a port for the answer. */
@@ -47,13 +52,13 @@ interface Written {
 }
 
 const results = new Map<number, Written>();
+let loader: AssetLoader | null = null;
 
 function printOf(written: Written, options: PrintOptions): Promise<Print> {
   const key = JSON.stringify(options);
   if (written.last?.key !== key) {
     const { result, name, margin } = written.source;
-    const loaders = { loadFont, loadRenderer };
-    const print = preparePrint({ result, title: name, margin, options, ...loaders });
+    const print = preparePrint({ result, title: name, margin, options, ...loader! });
     written.last = { key, print };
   }
   return written.last.print;
@@ -67,18 +72,17 @@ function previewed(options: PrintOptions): PrintOptions {
   return { ...options, assembly: false, dpi: previewDpi };
 }
 
-type Content = string | ExportedFile | Notice[];
+type Content = string | ExportedFile | Notice[] | PrintedPage[];
 
 async function write(written: Written | undefined, order: WriterOrder): Promise<Content> {
   if (!written) throw new Error('The result must come first');
-  const print = await printOf(
-    written,
-    order.type === 'file' ? order.options : previewed(order.options),
-  );
+  const isForPaper = order.type === 'file' || order.type === 'pages';
+  const print = await printOf(written, isForPaper ? order.options : previewed(order.options));
   if (order.type === 'sheet') return writeSvg(print, order.sheet);
   if (order.type === 'notices') return print.notices;
+  if (order.type === 'pages') return printedPages(print);
   const { result, name } = written.source;
-  return exportResult(order.format, { result, name, print });
+  return exportResult(order.format, { result, name, print, only: order.only });
 }
 
 async function answer(
@@ -94,6 +98,9 @@ async function answer(
 
 addEventListener('message', ({ data, ports }: MessageEvent<WriterMessage>) => {
   switch (data.type) {
+    case 'begin':
+      loader = assetLoader(data.assets);
+      break;
     case 'result':
       results.set(data.result, { source: data.source, last: null });
       break;

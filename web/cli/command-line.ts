@@ -1,15 +1,14 @@
 import { Command, CommanderError, Option } from 'commander';
 import { version } from '../../package.json';
-import { exportFormats, type ExportFormat } from '../export/formats.js';
+import { exportFormats } from '../export/formats.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { merge, partName, readEditsFile, split } from './edits.js';
 import { exitStatus, Exit, usageError } from './exit.js';
-import { formatOf } from './formats.js';
-import { idleOptions } from './idle-options.js';
 import { rows, sizings, type Row, type Settings } from '../model/options.js';
 import { BadValue, type Parser } from '../model/option-values.js';
-import { optionWords } from '../words/en-options.js';
 import type { OptionFault } from '../words/messages.js';
+import type { Words } from '../words/words.js';
+import { helpIn, usageFaultOf } from './usage.js';
 
 /** What a command line asks for. */
 export interface Commands {
@@ -18,8 +17,8 @@ export interface Commands {
   report: string | null;
   quiet: boolean;
   settings: Settings;
-  /** What was asked for in vain, in phrases for people. */
-  idle: string[];
+  /** Names of the options that were written: a project has its own for all others. */
+  given: ReadonlySet<string>;
   /** What is to be changed in what comes out, one step after the other; each is made in one go. */
   edits: (readonly DocumentEdit[])[];
   /** The same, as it was written. */
@@ -40,12 +39,12 @@ interface Flags extends Partial<EditWords> {
   quiet?: boolean;
 }
 
-function optionError(fault: OptionFault): Exit {
-  return usageError(optionWords(fault));
+export function optionError(fault: OptionFault): Exit {
+  return usageError(({ optionFault }) => optionFault(fault));
 }
 
 /** @throws Exit for a value that the parser does not take */
-function parsed<Value>(name: string, parse: Parser<Value>, text: string): Value {
+export function parsed<Value>(name: string, parse: Parser<Value>, text: string): Value {
   try {
     return parse(text);
   } catch (error) {
@@ -59,9 +58,10 @@ function collect(text: string, texts: string[] = []): string[] {
   return [...texts, text];
 }
 
-function addRows(program: Command): void {
+function addRows(program: Command, { optionHelp }: Words): void {
   for (const [name, row] of Object.entries<Row<unknown>>(rows)) {
-    const option = new Option(`--${name} <${row.value}>`, row.help)
+    const help = optionHelp[name as keyof Settings];
+    const option = new Option(`--${name} <${row.value}>`, help)
       .default(row.parse(row.fallback), row.fallback)
       .argParser((text) => parsed(name, row.parse, text));
     program.addOption(option);
@@ -70,37 +70,34 @@ function addRows(program: Command): void {
 
 const endings = exportFormats.map((format) => `.${format}`).join(', ');
 
-function describe(): Command {
+function describe(words: Words): Command {
+  const { command } = words;
   const program = new Command('foldwright')
-    .description('Unfolds a 3D model into paper nets.')
-    .argument(
-      '<model>',
-      'OBJ, STL, OFF, PLY, GLB, glTF, 3MF or PDO file, or a folder or ZIP archive with one and what belongs to it',
-    )
-    .option(
-      '-o, --output <file>',
-      `write a file, as its ending says: ${endings}; may be given several times`,
-      collect,
-    )
-    .option('--report <file>', 'write a report as JSON')
-    .option(
-      '--split <part[:k]>',
-      'split this part of what comes out, counted from 1, into k (2) parts; may be given several times',
-      collect,
-    )
-    .option('--merge <a,b>', 'merge these parts that touch; may be given several times', collect)
-    .option('--edits <file>', 'then make these edits, a JSON list')
-    .option(
-      '--name <part=text>',
-      'at last name this part, counted from 1; may be given several times',
-      collect,
-    )
-    .option('--quiet', 'nothing on stderr but errors')
-    .version(version)
+    .description(command.about)
+    .usage(command.usage)
+    .argument('<model>', command.model)
+    .option('-o, --output <file>', command.output(endings), collect)
+    .option('--report <file>', command.report)
+    .option('--split <part[:k]>', command.split, collect)
+    .option('--merge <a,b>', command.merge, collect)
+    .option('--edits <file>', command.edits)
+    .option('--name <part=text>', command.name, collect)
+    .addHelpText('after', `\n${command.manyModels('foldwright batch --help')}`);
+  addCommonOptions(program, words);
+  return program;
+}
+
+/** Adds what one model and many have in common: the options of a run, and how the program itself goes. */
+export function addCommonOptions(program: Command, words: Words): void {
+  const { command } = words;
+  program
+    .option('--quiet', command.quiet)
+    .version(version, '-V, --version', command.version)
+    .helpOption('-h, --help', command.help)
+    .configureHelp(helpIn(words))
     .exitOverride()
     .configureOutput({ writeErr: () => undefined });
-  addRows(program);
-  return program;
+  addRows(program, words);
 }
 
 /** Commander keeps values under camel-case names; the table has the names that people write. */
@@ -109,13 +106,14 @@ function valueOf(program: Command, name: string): unknown {
 }
 
 /** The rows that somebody wrote, and did not leave as they are. */
-function givenRows(program: Command): Set<string> {
+export function givenRows(program: Command): Set<string> {
   const isGiven = (name: string): boolean =>
     program.getOptionValueSource(new Option(`--${name}`).attributeName()) === 'cli';
   return new Set(Object.keys(rows).filter(isGiven));
 }
 
-function settingsOf(program: Command): Settings {
+/** @throws Exit for options that cannot stand together */
+export function settingsOf(program: Command): Settings {
   const entries = Object.keys(rows).map((name) => [name, valueOf(program, name)]);
   const settings = Object.fromEntries(entries) as Settings;
   const { margin, paper } = settings;
@@ -138,12 +136,8 @@ function settingsOf(program: Command): Settings {
 function namesOf(texts: readonly string[]): DocumentEdit[] {
   const names = texts.map((text) => parsed('name', partName, text));
   const twice = names.find(({ part }, i) => names.some((other, j) => j < i && other.part === part));
-  if (twice) throw usageError(`option '--name': part ${twice.part} has a name already`);
+  if (twice) throw usageError(({ command }) => command.namedAlready(twice.part));
   return names;
-}
-
-function formatsOf(outputs: readonly string[]): ExportFormat[] {
-  return outputs.flatMap((path) => formatOf(path) ?? []);
 }
 
 /** Splits and merges go by the parts of one result, and so are one step. */
@@ -157,30 +151,35 @@ function stepsOf({ split: splits, merge: merges, edits, name }: EditWords): Comm
   return [...(together.length > 0 ? [together] : []), ...single.map((edit) => [edit])];
 }
 
-/**
- * Reads the arguments after the program's name.
- * @throws Exit for anything that cannot be done, and after printing help or the version
- */
-export function parseCommandLine(args: string[]): Commands {
-  const program = describe();
+/** @throws Exit for arguments that the program does not take, and after printing help or the version */
+export function readArguments(program: Command, args: string[]): void {
   try {
     program.parse(args, { from: 'user' });
   } catch (error) {
     if (!(error instanceof CommanderError)) throw error;
-    if (error.exitCode === 0) throw new Exit(exitStatus.done, '');
-    throw usageError(error.message.replace(/^error: /, ''));
+    if (error.exitCode === 0) throw new Exit(exitStatus.done);
+    const fault = usageFaultOf(error);
+    throw usageError(({ command }) => command.usageFault(fault));
   }
-  const { output = [], report, quiet = false, ...words } = program.opts<Flags>();
-  const { split: splits = [], merge: merges = [], edits, name = [] } = words;
+}
+
+/**
+ * Reads the arguments after the program's name.
+ * @throws Exit for anything that cannot be done, and after printing help or the version
+ */
+export function parseCommandLine(args: string[], words: Words): Commands {
+  const program = describe(words);
+  readArguments(program, args);
+  const { output = [], report, quiet = false, ...changes } = program.opts<Flags>();
+  const { split: splits = [], merge: merges = [], edits, name = [] } = changes;
   const editWords = { split: splits, merge: merges, ...(edits !== undefined && { edits }), name };
-  const settings = settingsOf(program);
   return {
     model: program.args[0]!,
     outputs: output,
     report: report ?? null,
     quiet,
-    settings,
-    idle: idleOptions(givenRows(program), settings, formatsOf(output)),
+    settings: settingsOf(program),
+    given: givenRows(program),
     edits: stepsOf(editWords),
     editWords,
   };

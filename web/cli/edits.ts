@@ -42,8 +42,11 @@ export function readEditsFile(path: string): DocumentEdit[] {
   try {
     return readEdits(JSON.parse(readFileSync(path, 'utf8')));
   } catch (error) {
-    if (error instanceof BadEdit) throw usageError(`'${path}': ${error.message}`);
-    const reason = error instanceof SyntaxError ? 'is no JSON' : 'cannot be read';
-    throw usageError(`'${path}' ${reason}`);
+    if (error instanceof BadEdit) {
+      const { params } = error;
+      throw usageError(({ command, editsFault }) => command.aboutFile(path, editsFault(params)));
+    }
+    const isText = error instanceof SyntaxError;
+    throw usageError(({ command }) => (isText ? command.noJson(path) : command.unreadable(path)));
   }
 }

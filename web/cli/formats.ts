@@ -6,7 +6,6 @@ import type { JobResult } from '../model/job.js';
 import type { Settings } from '../model/options.js';
 import { pixelExcess } from '../model/pixels.js';
 import { BadOption } from '../words/bad-option.js';
-import { optionWords } from '../words/en-options.js';
 import { usageError } from './exit.js';
 import type { OutputFile } from './write-files.js';
 
@@ -17,10 +16,18 @@ export function formatOf(path: string): ExportFormat | undefined {
   return exportFormats.find((format) => format === endingOf(path));
 }
 
+/** Those of all outputs. */
+export function formatsOf(outputs: readonly string[]): ExportFormat[] {
+  return outputs.flatMap((path) => formatOf(path) ?? []);
+}
+
 /** @throws Exit for a picture that would have too many pixels */
 function checkPixels(path: string, { paper, dpi }: Settings): void {
   const excess = pixelExcess(paper.width, paper.height, dpi);
-  if (excess !== null) throw usageError(`'${path}': ${optionWords({ what: 'pixels', ...excess })}`);
+  if (excess !== null)
+    throw usageError(({ command, optionFault }) =>
+      command.aboutFile(path, optionFault({ what: 'pixels', ...excess })),
+    );
 }
 
 /** @throws Exit for an output whose ending is no format, or that is too large to be drawn */
@@ -29,15 +36,28 @@ export function checkFormat(path: string, settings: Settings): void {
   if (format === 'png') checkPixels(path, settings);
   if (format !== undefined) return;
   const known = exportFormats.map((format) => `.${format}`).join(', ');
-  throw usageError(`'${path}': the ending '${extname(path).toLowerCase()}' is none of ${known}`);
+  const ending = extname(path).toLowerCase();
+  throw usageError(({ command }) => command.ending(path, ending, known));
 }
 
-async function writeOutput(path: string, result: JobResult, print: Print): Promise<WrittenFile[]> {
+/** What outputs are made of. */
+export interface OutputSource {
+  result: JobResult;
+  print: Print;
+  /** The document as one file. */
+  project: () => Promise<Uint8Array>;
+}
+
+async function writeOutput(path: string, source: OutputSource): Promise<WrittenFile[]> {
+  const format = formatOf(path)!;
+  if (format === 'foldwright') return [{ name: path, bytes: await source.project() }];
   try {
-    return await writeFiles(formatOf(path)!, { result, print, name: path });
+    return await writeFiles(format, { result: source.result, print: source.print, name: path });
   } catch (error) {
     // Edits may have chosen other sheets than the command line did.
-    throw error instanceof BadOption ? usageError(`'${path}': ${error.message}`) : error;
+    if (!(error instanceof BadOption)) throw error;
+    const { params } = error;
+    throw usageError(({ command, optionFault }) => command.aboutFile(path, optionFault(params)));
   }
 }
 
@@ -47,12 +67,11 @@ async function writeOutput(path: string, result: JobResult, print: Print): Promi
  */
 export async function renderOutputs(
   outputs: string[],
-  result: JobResult,
-  print: Print,
+  source: OutputSource,
 ): Promise<OutputFile[]> {
   const files: OutputFile[] = [];
   for (const path of outputs) {
-    const written = await writeOutput(path, result, print);
+    const written = await writeOutput(path, source);
     files.push(...written.map(({ name, bytes }) => ({ path: name, content: bytes })));
   }
   return files;

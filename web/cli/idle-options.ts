@@ -1,37 +1,43 @@
 /** Options that were given and that nothing reads, because of what others say. */
 import type { ExportFormat } from '../export/formats.js';
 import type { Settings } from '../model/options.js';
+import type { Words } from '../words/words.js';
+import type { Told } from './exit.js';
 
 interface Need {
   /** What the option is about, in the words of the command line. */
-  without: string;
+  without: Told;
   /** Whether something reads it. */
   isMet: (settings: Settings, formats: readonly ExportFormat[]) => boolean;
 }
 
-const needsScale: Need = { without: "'--scale'", isMet: ({ scale }) => scale !== 'none' };
+const needsScale: Need = {
+  without: ({ command }) => command.needs.scale,
+  isMet: ({ scale }) => scale !== 'none',
+};
 const needsFlaps: Need = {
-  without: 'flaps',
+  without: ({ command }) => command.needs.flaps,
   isMet: (all) => all.flaps !== 'none' || all['flap-borders'] === 'on',
 };
-const needsFolding: Need = { without: 'folding', isMet: ({ folding }) => folding !== 'off' };
+const needsFolding: Need = {
+  without: ({ command }) => command.needs.folding,
+  isMet: ({ folding }) => folding !== 'off',
+};
 const needsScissors: Need = {
-  without: "'--machine none'",
+  without: ({ command }) => command.needs.scissors,
   isMet: ({ machine }) => machine === 'none',
 };
 
 const needsPrinter: Need = {
-  without: "'--machine none' or '--machine silhouette'",
+  without: ({ command }) => command.needs.printer,
   isMet: ({ machine }) => machine === 'none' || machine === 'silhouette',
 };
 
 /** An output in one of these formats. */
 function needsOutput(...formats: readonly ExportFormat[]): Need {
   const names = formats.map((format) => format.toUpperCase());
-  const last = names.pop()!;
-  const words = names.length > 0 ? `${names.join(', ')} or ${last}` : last;
   return {
-    without: `a ${words} file`,
+    without: ({ command }) => command.needs.output(names),
     isMet: (_, written) => formats.some((format) => written.includes(format)),
   };
 }
@@ -39,6 +45,7 @@ function needsOutput(...formats: readonly ExportFormat[]): Need {
 const needs: Partial<Record<keyof Settings, Need[]>> = {
   unit: [needsScale],
   'flap-angle': [needsFlaps],
+  'flap-style': [needsFlaps],
   'flap-side': [needsFlaps],
   'flap-colour': [needsFlaps, needsScissors],
   clearance: [needsFolding],
@@ -46,6 +53,7 @@ const needs: Partial<Record<keyof Settings, Need[]>> = {
   legend: [needsScissors],
   measured: [needsScissors],
   'fold-ticks': [needsScissors],
+  thickness: [needsFlaps],
   duplex: [needsScissors, needsOutput('pdf')],
   assembly: [needsOutput('pdf', 'svg', 'png')],
   dpi: [needsOutput('png', 'svg', 'pdf')],
@@ -60,6 +68,7 @@ const needs: Partial<Record<keyof Settings, Need[]>> = {
  * @param formats those of all outputs
  */
 export function idleOptions(
+  words: Words,
   given: ReadonlySet<string>,
   settings: Settings,
   formats: readonly ExportFormat[],
@@ -67,6 +76,6 @@ export function idleOptions(
   return Object.entries(needs).flatMap(([name, all]) => {
     if (!given.has(name)) return [];
     const missing = all.find(({ isMet }) => !isMet(settings, formats));
-    return missing ? [`option '--${name}' changes nothing without ${missing.without}`] : [];
+    return missing ? [words.command.idle(name, missing.without(words))] : [];
   });
 }

@@ -1,9 +1,8 @@
 import type { WriteStream } from 'node:tty';
 import type { TimedEvent } from '../core/protocol.js';
+import type { Stage } from '../model/stages.js';
 import { phraseOf } from '../words/phrase.js';
-import { byStage, type Stage } from '../model/stages.js';
-
-const stageLines = byStage(({ line }) => line);
+import type { Words } from '../words/words.js';
 
 /**
  * Tells on a stream how a job goes, one line that changes on a terminal, else one per stage; what there
@@ -13,10 +12,13 @@ export class Progress {
   private stage: Stage | null = null;
   private readonly said = new Set<string>();
 
-  constructor(private readonly stream: WriteStream) {}
+  constructor(
+    private readonly stream: WriteStream,
+    private readonly words: Words,
+  ) {}
 
   readonly onEvent = (event: TimedEvent): void => {
-    if (event.type === 'notice') this.note(phraseOf(event));
+    if (event.type === 'notice') this.note(phraseOf(this.words, event));
     if (event.type === 'stage') this.report(event.stage, event.progress);
   };
 
@@ -25,7 +27,7 @@ export class Progress {
     if (this.said.has(text)) return;
     this.said.add(text);
     this.clear();
-    this.stream.write(`note: ${text}\n`);
+    this.stream.write(`${this.words.command.note(text)}\n`);
   }
 
   /** Writes the last line. */
@@ -40,6 +42,7 @@ export class Progress {
   }
 
   private report(stage: Stage, progress: number): void {
+    const { stageLines } = this.words.run;
     if (this.stream.isTTY) {
       const percent = String(Math.floor(progress * 100)).padStart(3);
       this.stream.write(`\r\x1b[K${percent} % ${stageLines[stage]}`);

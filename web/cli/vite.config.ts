@@ -22,6 +22,7 @@ export default defineConfig({
         foldwright: path('foldwright.ts'),
         index: path('../api/node.ts'),
         'node-worker': path('../core/node-worker.ts'),
+        'batch-slot': path('batch/batch-slot.ts'),
       },
       output: {
         entryFileNames: '[name].js',

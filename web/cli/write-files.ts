@@ -1,6 +1,6 @@
 import { closeSync, openSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import { usageError } from './exit.js';
+import { usageError, type Exit } from './exit.js';
 
 export interface OutputFile {
   path: string;
@@ -12,15 +12,14 @@ function temporaryName(path: string): string {
   return join(dirname(path), `.${basename(path)}.${process.pid}.part`);
 }
 
-function reasonOf(error: unknown): string {
-  switch ((error as NodeJS.ErrnoException).code) {
-    case 'ENOENT':
-      return 'does not exist';
-    case 'ENOTDIR':
-      return 'is not a directory';
-    default:
-      return `cannot be written to (${(error as NodeJS.ErrnoException).code})`;
-  }
+function obstacleOf(path: string, error: unknown): Exit {
+  const folder = dirname(path);
+  const { code } = error as NodeJS.ErrnoException;
+  return usageError(({ command }) => {
+    if (code === 'ENOENT') return command.noFolder(path, folder);
+    if (code === 'ENOTDIR') return command.notAFolder(path, folder);
+    return command.notWritable(path, folder, String(code));
+  });
 }
 
 /**
@@ -33,10 +32,10 @@ export function checkWritable(path: string): void {
     closeSync(openSync(probe, 'wx'));
     rmSync(probe);
   } catch (error) {
-    throw usageError(`'${path}': the directory '${dirname(path)}' ${reasonOf(error)}`);
+    throw obstacleOf(path, error);
   }
   if (statSync(path, { throwIfNoEntry: false })?.isDirectory()) {
-    throw usageError(`'${path}' is a directory`);
+    throw usageError(({ command }) => command.isFolder(path));
   }
 }
 

@@ -1,20 +1,31 @@
 import { startModuleWorker } from '../browser/module-worker.js';
+import dracoAddress from 'draco3dgltf/draco_decoder_gltf.wasm?url';
+import wasmAddress from './generated/foldwright.wasm?url';
 import { poolSize } from './pool-size.js';
 import { Pool } from './pool.js';
 import type { Answer } from './protocol.js';
 import type { Spawn } from './worker-port.js';
+import type { WorkerAddresses } from './worker-addresses.js';
 import workerAddress from './worker.ts?worker&url';
 
-/** Where a host keeps the engine's files, if not where the build put them; absolute. */
+/** Where a host keeps the engine's files, each if not where the build put it; absolute. */
 export interface EngineAddresses {
   /** The script of the workers. */
   worker?: string | URL;
   wasm?: string | URL;
+  /** The decoder of Draco, which few models need. */
+  draco?: string | URL;
 }
 
-function workersOf({ worker: script = workerAddress, wasm = '' }: EngineAddresses): Spawn {
+function workersOf({
+  worker: script = workerAddress,
+  wasm = wasmAddress,
+  draco = dracoAddress,
+}: EngineAddresses): Spawn {
+  const addresses: WorkerAddresses = { wasm: String(wasm), draco: String(draco) };
+  const name = JSON.stringify(addresses);
   return (listener) => {
-    const worker = startModuleWorker(String(script), String(wasm));
+    const worker = startModuleWorker(String(script), name);
     worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => listener.onAnswer(data));
     worker.addEventListener('error', (event) => {
       listener.onDeath(event.message || 'its script could not be loaded');

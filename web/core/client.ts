@@ -10,13 +10,18 @@ import type { TimedEngineEvent } from './protocol.js';
 export interface RunOptions {
   /** Ends the job; the promise then rejects with the signal's reason. */
   signal?: AbortSignal;
+  /** Ends the job as well, but waits until the nets found so far are on sheets, which takes seconds for
+   * large models; `signal` still ends the wait. */
+  stop?: AbortSignal;
   /** Hears everything that the job tells, the last event included; batches come ten times a second
-   * at most. After an abort it hears `cancelled` with the nets found so far, unless the job was in a
-   * long step and its worker had to be replaced. */
+   * at most. After a stop it hears `cancelled` with the nets found so far. So it does after an abort,
+   * unless the job was in a long step and its worker had to be replaced. */
   onEvent?: (event: TimedEngineEvent) => void;
   /** Whether `generation` events show the net under search now and then. */
   pictures?: boolean;
-  /** How long an aborted run waits for the nets found so far, in ms; 100 unless given. */
+  /** Whether `draft` events tell what could be printed already, once every part has a net. */
+  drafts?: boolean;
+  /** How long an aborted run waits for an answer of its workers, in ms; 80 unless given. */
   patience?: number;
   /** Changes an earlier result of the same files instead of starting afresh. The options that decide
    * the mesh must be those of that result; `parts` is not read. */
@@ -43,19 +48,22 @@ interface Order {
 let lastJob = 0;
 
 function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedEngineResult> {
-  const { signal, onEvent, pictures = false, patience } = runOptions;
+  const { signal, stop, onEvent, pictures = false, drafts = false, patience } = runOptions;
   return new Promise((resolve, reject) => {
-    const settle = (last: () => void): void => {
+    const settle = (last: () => void, waitsForNets = false): void => {
       run.end(() => {
         signal?.removeEventListener('abort', cancel);
+        stop?.removeEventListener('abort', handOver);
         last();
-      });
+      }, waitsForNets);
     };
-    const fail = (error: Error): void => settle(() => reject(error));
+    const fail = (error: Error, waitsForNets = false): void =>
+      settle(() => reject(error), waitsForNets);
     const cancel = (): void => fail(signal?.reason as Error);
+    const handOver = (): void => fail(stop?.reason as Error, true);
     const run = new JobRun(
       pool,
-      { ...order, job: ++lastJob, pictures },
+      { ...order, job: ++lastJob, pictures, drafts },
       {
         onEvent(event) {
           onEvent?.(event);
@@ -71,6 +79,7 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
       patience,
     );
     signal?.addEventListener('abort', cancel);
+    stop?.addEventListener('abort', handOver);
   });
 }
 
@@ -80,8 +89,8 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
  * died.
  *
  * Rejects with a `JobError` when the job or its conducting worker fails, or a task that several
- * workers died over, and with the signal's reason within `patience` of an abort. None of that leaves
- * the pool unusable.
+ * workers died over, and with the signal's reason within `patience` of an abort, or the reason of
+ * `stop`. None of that leaves the pool unusable.
  */
 export function runJob(
   pool: Pool,
@@ -91,6 +100,7 @@ export function runJob(
 ): Promise<TimedEngineResult> {
   return pool.inTurn(async () => {
     runOptions.signal?.throwIfAborted();
+    runOptions.stop?.throwIfAborted();
     return runNow(pool, { files, options, start: runOptions.start ?? null }, runOptions);
   });
 }

@@ -2,6 +2,7 @@ import type { EngineEvent } from '../model/job.js';
 import type { Engine, WorkerHost } from './engine.js';
 import { EventThrottle } from './event-throttle.js';
 import type { Job } from './generated/foldwright.mjs';
+import { DraftPace } from './draft-pace.js';
 import { GenerationFilter } from './generation-filter.js';
 import { engineDied } from './job-error.js';
 import type {
@@ -42,6 +43,7 @@ export class Conductor {
   private readonly executor: TaskExecutor;
   private readonly dispatcher = new TaskDispatcher();
   private readonly filter = new GenerationFilter();
+  private readonly drafts: DraftPace | null;
   private readonly clock = new StageClock(performance.now());
   private readonly throttle: EventThrottle;
   private helpersAsked = 0;
@@ -59,6 +61,7 @@ export class Conductor {
     // The declarations allow for no job because it crosses the boundary as a pointer.
     this.job = engine.createJob(files, options, start)!;
     this.executor = new TaskExecutor(engine);
+    this.drafts = request.drafts ? new DraftPace() : null;
     this.throttle = new EventThrottle((events) => {
       host.post({ type: 'events', job: this.number, events }, buffersOf(events));
     });
@@ -122,6 +125,7 @@ export class Conductor {
 
   /** Does some milliseconds of work; false when everything waits for the helpers. */
   private work(): boolean {
+    if (this.drafts?.isDue(performance.now())) this.makeDraft(this.drafts);
     if (this.executor.busy) {
       const report = this.executor.step();
       if (report) this.handle(report);
@@ -135,6 +139,12 @@ export class Conductor {
       this.passOnEvents(this.job.advance());
     else return false;
     return true;
+  }
+
+  private makeDraft(pace: DraftPace): void {
+    const from = performance.now();
+    this.passOnEvents(this.job.draft());
+    pace.made(from, performance.now());
   }
 
   /** The job and its own tasks share one copy of a surface. */
@@ -162,6 +172,7 @@ export class Conductor {
     const now = performance.now();
     // What happens belongs to one stage and names it, but for the step that finishes a stage.
     this.clock.spend(now, events.find((event) => event.type === 'stage')?.stage);
+    this.drafts?.follow(events);
     for (const event of events) this.throttle.push(timed(event, this.clock, now));
     if (events.some(isLast)) {
       this.finished = true;

@@ -1,8 +1,8 @@
 import type { MessageParams } from '../model/message.js';
-import { phraseOf } from '../words/phrase.js';
+import { englishPhrase } from '../words/phrase.js';
 
 /**
- * A job that failed: `code` and `params` are for programs, the message is one sentence for people, `faces` are those
+ * A job that failed: `code` and `params` are for programs, the message is one English phrase, `faces` are those
  * of the repaired model that it is about.
  */
 export class JobError extends Error {
@@ -13,7 +13,7 @@ export class JobError extends Error {
     readonly params: MessageParams = {},
     readonly faces?: Int32Array,
   ) {
-    super(phraseOf({ code, params }));
+    super(englishPhrase({ code, params }));
   }
 }
 

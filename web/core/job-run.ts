@@ -1,6 +1,6 @@
 import type { Pool, PoolListener } from './pool.js';
 import type { Answer, EventsAnswer, RunRequest, TimedEngineEvent } from './protocol.js';
-import { phraseOf } from '../words/phrase.js';
+import { englishPhrase } from '../words/phrase.js';
 import { buffersOf } from './transfer.js';
 
 /** What a run tells whoever started it. */
@@ -17,15 +17,15 @@ export interface RunListener {
 export const defaultPatience = 80;
 
 /**
- * How long a conductor that has nets may take to hand them over when its run ends, in ms. Laying the
- * nets of the largest models on sheets in a hurry takes some seconds, and they took minutes to find.
+ * How long a conductor may take to hand its nets over to whoever wants them, in ms. Laying the nets of the
+ * largest models on sheets in a hurry takes some seconds, and they took minutes to find.
  */
 const patienceForNets = 30_000;
 
-/** An event with its message in words. */
+/** An event with its message in English. */
 function inWords(event: TimedEngineEvent): TimedEngineEvent {
   const hasMessage = event.type === 'notice' || event.type === 'error';
-  return hasMessage ? { ...event, text: phraseOf(event) } : event;
+  return hasMessage ? { ...event, text: englishPhrase(event) } : event;
 }
 
 /**
@@ -68,15 +68,17 @@ export class JobRun implements PoolListener {
 
   /**
    * Frees what all workers hold of the job and then calls `whenEnded`, within the patience that there
-   * is: who does not answer by then is thrown away. A conductor that has nets gets as long as it
-   * takes to hand them over. Only the first call counts.
+   * is: who does not answer by then is thrown away. With `waitsForNets`, a conductor that has nets gets
+   * as long as it takes to hand them over. A second call can only shorten the wait of the first.
    */
-  end(whenEnded: () => void): void {
-    if (this.whenEnded) return;
-    this.whenEnded = whenEnded;
-    for (const worker of this.engaged) this.pool.post(worker, { type: 'end', job: this.job });
+  end(whenEnded: () => void, waitsForNets = false): void {
+    if (!this.whenEnded) {
+      this.whenEnded = whenEnded;
+      for (const worker of this.engaged) this.pool.post(worker, { type: 'end', job: this.job });
+    } else if (waitsForNets) return;
+    clearTimeout(this.timer);
     this.timer = setTimeout(() => {
-      const isAwaited = this.hasNets && this.engaged.has(this.conductor);
+      const isAwaited = waitsForNets && this.hasNets && this.engaged.has(this.conductor);
       for (const helper of this.engaged) {
         if (!isAwaited || helper !== this.conductor) this.throwAway(helper);
       }

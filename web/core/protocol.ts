@@ -50,6 +50,8 @@ export interface RunRequest {
   /** The most helpers that there can be at a time. */
   helpers: number;
   pictures: boolean;
+  /** Whether `draft` events tell what could be printed already. */
+  drafts: boolean;
 }
 
 /**
@@ -109,9 +111,10 @@ export type Request =
 
 /** What a job tells, with the time that only this side of the engine's boundary can measure. */
 export type TimedEvent<Result = JobResult> =
-  | Exclude<JobEvent, { type: 'stage' | 'notice' | 'error' | 'done' | 'cancelled' }>
+  | Exclude<JobEvent, { type: 'stage' | 'notice' | 'error' | 'draft' | 'done' | 'cancelled' }>
   /** `text`: the message in words; there once the event has left the workers, which know no language. */
   | (Extract<JobEvent, { type: 'notice' | 'error' }> & { text?: string })
+  | Extract<JobEvent<Result>, { type: 'draft' }>
   /** `seconds` since the job began. */
   | (Extract<JobEvent, { type: 'stage' }> & { seconds: number })
   | (Extract<JobEvent<Result>, { type: 'done' | 'cancelled' }> & { seconds: StageSeconds });

@@ -1,9 +1,8 @@
 /** Entry of the browser's module worker. */
-import dracoAddress from 'draco3dgltf/draco_decoder_gltf.wasm?url';
 import { serveEngine } from './engine-worker.js';
 import createFoldwright from './generated/foldwright.mjs';
-import wasmAddress from './generated/foldwright.wasm?url';
 import type { Request } from './protocol.js';
+import type { WorkerAddresses } from './worker-addresses.js';
 
 const channel = new MessageChannel();
 
@@ -15,17 +14,17 @@ function pause(): Promise<void> {
   });
 }
 
-/** A host that keeps the WASM elsewhere says so by the worker's name. */
-const { name } = self;
+/** The page says by the worker's name where they lie: as a module that was copied elsewhere it would not find them. */
+const addresses = JSON.parse(self.name) as WorkerAddresses;
 
 async function loadDraco(): Promise<Uint8Array> {
-  const answer = await fetch(dracoAddress);
+  const answer = await fetch(addresses.draco);
   if (!answer.ok) throw new Error(`the decoder of Draco cannot be loaded (${answer.status})`);
   return new Uint8Array(await answer.arrayBuffer());
 }
 
 const handle = serveEngine({
-  loadEngine: () => createFoldwright({ locateFile: () => name || wasmAddress }),
+  loadEngine: () => createFoldwright({ locateFile: () => addresses.wasm }),
   post: (answer, transfer) => postMessage(answer, { transfer }),
   pause,
   loadDraco,

@@ -1,10 +1,18 @@
 import type { Preset } from '../app/options-form.js';
 import type { StudioPlace } from '../app/place.js';
 import { Studio } from '../app/studio.js';
-import markup from '../app/studio.html?raw';
+import { studioMarkup } from '../app/studio-markup.js';
 import styles from '../app/styles/studio.css?inline';
+import { personsLanguage } from '../app/language-habit.js';
+import type { ChosenModel } from '../app/model-file.js';
 import type { TimedEvent } from '../core/protocol.js';
+import { spokenOf, type Language } from '../model/languages.js';
+import { english } from '../words/en/index.js';
+import { wordsOf } from '../words/load.js';
+import type { Words } from '../words/words.js';
 import { lendPool } from './engine-pool.js';
+import { presets } from './studio-attributes.js';
+import { sharedStyleSheet } from './style-sheet.js';
 
 /** The DOM events of a studio, which bubble. */
 export interface StudioEventMap {
@@ -14,50 +22,51 @@ export interface StudioEventMap {
   'foldwright-ready': CustomEvent<null>;
 }
 
-/** Names of the attributes that fill in fields. */
-const presets = ['parts', 'seed', 'paper', 'faces'] as const satisfies readonly (keyof Preset)[];
-
-/** Languages that the studio speaks, the first one where it does not speak the one asked for. */
-const languages = ['en'] as const;
-
 /** More workers than this no device has cores for. */
 const mostWorkers = 64;
 
-const template = document.createElement('template');
-template.innerHTML = markup;
+/** Made once for each language. */
+const templates = new Map<Language, HTMLTemplateElement>();
 
-/** Made once for all studios, with the first of them. */
-let sheet: CSSStyleSheet | null = null;
-
-function styleSheet(): CSSStyleSheet {
-  if (sheet) return sheet;
-  // Unlike a style element it is no matter of a page's content security policy.
-  sheet = new CSSStyleSheet();
-  sheet.replaceSync(styles);
-  return sheet;
+function templateIn(words: Words): HTMLTemplateElement {
+  const made = templates.get(words.code);
+  if (made) return made;
+  const template = document.createElement('template');
+  template.innerHTML = studioMarkup(words);
+  templates.set(words.code, template);
+  return template;
 }
+
+const styleSheet = sharedStyleSheet(styles);
 
 /**
  * `<foldwright-studio>`: a whole studio in a shadow root. Several on a page share the engine's workers
- * and nothing else.
+ * and nothing else. Removed from the page it ends its run and frees its workers; put in again it starts afresh. What is
+ * told of it here is also in `custom-elements.json` and in the tables of `docs/elements.md`, which the build and the
+ * formatter make of it.
  *
- * | attribute | |
- * |---|---|
- * | `src` | address of a model, from the page; it is fetched and unfolded whenever this is set, one of more than 2000 triangles simplified to 1500 unless `faces` says otherwise |
- * | `parts`, `seed`, `paper`, `faces` | fill in the fields of these names, as the command line's options do; `paper` may also be WxH in mm |
- * | `lang` | language of the words; English for all so far |
- * | `workers` | number of engine workers, 1 to 64; counts for the first studio that needs them |
- * | `whole-page` | the page is for nothing else: files dropped anywhere and Escape pressed anywhere are for the studio |
+ * The element itself sets `page`: `bench` once a model is chosen, and `start` where one is to be chosen, for the style
+ * of what is around it.
  *
- * Removed from the page it ends its run and frees its workers; put in again it starts afresh.
+ * @tagname foldwright-studio
+ * @attr {string} src - address of a model, from the page; it is fetched and unfolded whenever this is set, one of more than 2000 triangles simplified to 1500 unless `faces` says otherwise
+ * @attr {string} parts - fills in the field of this name, as the option of the command line does
+ * @attr {string} seed - the same of the seed
+ * @attr {string} paper - the same of the paper, which may also be WxH in mm
+ * @attr {string} faces - the same of the number of triangles to simplify to
+ * @attr {string} lang - language of the words on the page and on paper, by its code (BCP 47); English for one that there is not. Without it English, or with `whole-page` that of the person. A change begins the studio anew with the work that is on it, once nothing is being computed
+ * @attr {string} workers - number of engine workers, 1 to 64; counts for the first studio that needs them
+ * @attr {boolean} whole-page - the page is for nothing else: files dropped anywhere and Escape pressed anywhere are for the studio, and the work is kept as with `autosave`
+ * @attr {boolean} autosave - the browser keeps the work by itself, for this origin, and the start screen offers it; without it a visitor of a shop's page leaves nothing behind; counts when the element is put into the page
  */
 export class FoldwrightStudio extends HTMLElement {
   static readonly observedAttributes = ['src', 'lang', ...presets];
 
   private readonly root = this.attachShadow({ mode: 'open' });
   private studio: Studio | null = null;
-  /** Of the studio that is there. */
+  /** Of the studio that is there, or of one that waits for its words. */
   private life = new AbortController();
+  private language: Language = 'en';
   private readonly engine = lendPool(() => this.workers());
 
   connectedCallback(): void {
@@ -74,34 +83,55 @@ export class FoldwrightStudio extends HTMLElement {
   attributeChangedCallback(name: string): void {
     if (!this.studio) return;
     if (name === 'src') this.load();
-    else if (name === 'lang') this.speak();
+    else if (name === 'lang') void this.speakAnew();
     else this.studio.preset(this.preset([name]));
   }
 
-  private begin(): void {
+  private begin(work: ChosenModel | null = null): void {
+    this.life.abort();
+    const life = new AbortController();
+    this.life = life;
+    this.language = this.wantedLanguage;
+    const words = wordsOf(this.language);
+    if (!(words instanceof Promise)) return this.open(words, work);
+    // A studio in another language is better than none.
+    void words
+      .catch(() => english)
+      .then((loaded) => {
+        if (!life.signal.aborted) this.open(loaded, work);
+      });
+  }
+
+  /** @param work to go on with; else what the attributes ask for is loaded */
+  private open(words: Words, work: ChosenModel | null): void {
     this.root.adoptedStyleSheets = [styleSheet()];
-    this.root.replaceChildren(template.content.cloneNode(true));
-    this.speak();
-    this.life = new AbortController();
+    this.root.replaceChildren(templateIn(words).content.cloneNode(true));
     const isAlone = this.hasAttribute('whole-page');
+    const keeps = isAlone || this.hasAttribute('autosave');
     const place: StudioPlace = {
+      words,
       root: this.root,
       ground: isAlone ? window : this,
       life: this.life.signal,
     };
     this.studio = new Studio(place, () => this.engine.pool(), {
+      keeps,
       onReady: () => this.dispatch('foldwright-ready', null),
       onEvent: (event) => this.dispatch('foldwright-event', event),
+      // For the page around it, which may make room.
+      onPage: (page) => this.setAttribute('page', page),
     });
     this.studio.preset(this.preset(presets));
     void this.studio.start();
-    this.load();
+    if (work) this.studio.goOn(work);
+    else this.load();
   }
 
   private end(): void {
     this.life.abort();
     this.engine.giveBack();
     this.studio = null;
+    this.removeAttribute('page');
     this.root.replaceChildren();
   }
 
@@ -115,10 +145,20 @@ export class FoldwrightStudio extends HTMLElement {
     return Object.fromEntries(values.filter(([, value]) => value !== null));
   }
 
-  private speak(): void {
-    const [wanted] = this.lang.toLowerCase().split('-');
-    const language = languages.find((name) => name === wanted) ?? languages[0];
-    this.root.querySelector('.studio')?.setAttribute('lang', language);
+  private get wantedLanguage(): Language {
+    if (this.lang === '' && this.hasAttribute('whole-page')) return personsLanguage();
+    return spokenOf([this.lang]);
+  }
+
+  /** Begins anew in another language with what is on the page. */
+  private async speakAnew(): Promise<void> {
+    if (this.language === this.wantedLanguage) return;
+    const { studio } = this;
+    const work = (await studio?.handOver()) ?? null;
+    // Meanwhile it may have been removed, or asked for the language that it speaks.
+    if (!studio || studio !== this.studio || this.language === this.wantedLanguage) return;
+    this.end();
+    this.begin(work);
   }
 
   private workers(): number | undefined {

@@ -1,7 +1,7 @@
 /** The pages that tell how to build a model: its cover, its pieces and the steps. */
 import type { JobResult } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
-import { building as words } from '../words/building.js';
+import type { BuildingWords } from '../words/building.js';
 import { buildingPlan } from './building-plan.js';
 import { drawSteps } from './building-steps.js';
 import { drawCover } from './cover.js';
@@ -18,6 +18,7 @@ export interface AssemblyInput {
   margin: number;
   options: PrintOptions;
   look: Look;
+  words: BuildingWords;
 }
 
 const noteSize = 2.4;
@@ -34,7 +35,7 @@ const mostFaces = 200_000;
  * faces exceed 100,000 the steps have no pictures of the model, from 200,000 on the list has none.
  */
 export function assemblyPages(input: AssemblyInput): SheetDrawing[] {
-  const { look, margin, options, result, title } = input;
+  const { look, margin, options, result, title, words } = input;
   const [paper] = result.sheets;
   if (!paper || result.pieces.length === 0) return [];
   const pages: Page[] = [];
@@ -45,10 +46,11 @@ export function assemblyPages(input: AssemblyInput): SheetDrawing[] {
   };
   const views = new ModelViews(result);
   const plan = buildingPlan(result, options.flatFold);
-  drawCover(newPage(), { title, result, plan, views, look, flatFold: options.flatFold });
+  drawCover(newPage(), { title, result, plan, views, look, words, flatFold: options.flatFold });
   const pictures = (mostFaces * 3) / result.model.faces.length / result.pieces.length;
-  if (result.pieces.length > 1) drawPieceList(newPage, { views, plan, hasPictures: pictures >= 1 });
-  drawSteps(newPage, { views, plan, options, hasPictures: pictures >= 2 });
+  if (result.pieces.length > 1)
+    drawPieceList(newPage, { views, plan, words, hasPictures: pictures >= 1 });
+  drawSteps(newPage, { views, plan, options, words, hasPictures: pictures >= 2 });
   pages.forEach((page, i) => {
     const note = words.pageNote({ page: i + 1, pages: pages.length });
     page.line(`${title} · ${note}`, [page.margin, page.margin - 1], noteSize, page.room);

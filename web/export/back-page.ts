@@ -1,4 +1,5 @@
 /** Backs of sheets that are printed on both sides, so that fold lines need not cross the picture. */
+import type { Words } from '../words/words.js';
 import { alignmentCrosses, crossRoom } from './alignment-cross.js';
 import type { Point, Segment } from './point.js';
 import { bandHeight, bandOf } from '../model/sheet-room.js';
@@ -15,6 +16,7 @@ export interface BackPlan {
   /** Of the sheet; mm. */
   margin: number;
   title: string;
+  words: Words;
 }
 
 type Turn = (point: Point) => Point;
@@ -42,7 +44,7 @@ function backOfPiece({ letter, mountains, valleys }: PieceDrawing, turn: Turn): 
 }
 
 /** What is said in the band that lies behind that below the pieces, between the crosses. */
-function textsOf({ sheet, number, count, margin, title }: BackPlan): TextLine[] {
+function textsOf({ sheet, number, count, margin, title, words }: BackPlan): TextLine[] {
   const { width, height } = sheet;
   const { from, to } = bandOf(margin);
   const bottom = height >= width ? from : height - from - bandHeight;
@@ -53,14 +55,8 @@ function textsOf({ sheet, number, count, margin, title }: BackPlan): TextLine[] 
     return { text: shortened(text, size, width - 2 * left), at, anchor: 'start', angle: 0, size };
   };
   return [
-    line(
-      `${title} · back of sheet ${number} of ${count} · this side is inside: folds as seen from here`,
-      bandLines.upper,
-    ),
-    line(
-      'print on both sides, turned along the long edge · against the light the crosses meet',
-      bandLines.lower,
-    ),
+    line(`${title} · ${words.sheets.back(number, count)}`, bandLines.upper),
+    line(words.sheets.backHow, bandLines.lower),
   ].filter(({ text }) => text !== '');
 }
 

@@ -1,6 +1,6 @@
 /** The steps, each with the net of its piece, the model as it is then, and what to do. */
 import type { PrintOptions } from '../model/print-options.js';
-import { building as words } from '../words/building.js';
+import type { BuildingWords } from '../words/building.js';
 import {
   edgeList,
   numberOf,
@@ -42,6 +42,7 @@ export interface StepsInput {
   options: PrintOptions;
   /** Whether steps show the model as it grows. */
   hasPictures: boolean;
+  words: BuildingWords;
 }
 
 /** What of a border of the model is seen in a picture: the middle of its longest part. */
@@ -116,7 +117,7 @@ function groupsOf(
 
 /** What to do in a step, in sentences. */
 export function stepSentences(input: StepsInput, step: BuildingStep, rank: number): string[] {
-  const { plan, views } = input;
+  const { plan, views, words } = input;
   const { result } = views;
   const sentences = [
     words.fold({ folds: step.folds, crease: step.crease, turn: step.turn.length }),
@@ -137,11 +138,11 @@ export function stepSentences(input: StepsInput, step: BuildingStep, rank: numbe
 }
 
 /** What the marks in the pictures mean, in one row. */
-function drawMarks(page: Page, baseline: number): void {
+function drawMarks(page: Page, baseline: number, words: BuildingWords): void {
   const marks = ['close-first', 'close-last', 'glue-first', 'glue-last'] as const;
   let left = page.margin;
   const middle = baseline + (capHeight * sizes.text) / 2;
-  const told = (mark: Parameters<typeof words.marks>[0]['mark'], width: number): void => {
+  const told = (mark: Parameters<BuildingWords['marks']>[0]['mark'], width: number): void => {
     const text = words.marks({ mark });
     page.text(text, [left + width, baseline], sizes.text);
     left += width + 0.8 * widthAtMost(text, sizes.text) + 4;
@@ -168,7 +169,10 @@ class Flow {
   /** Down to here the page is full. */
   y = 0;
 
-  constructor(private readonly newPage: () => Page) {
+  constructor(
+    private readonly newPage: () => Page,
+    private readonly words: BuildingWords,
+  ) {
     this.page = this.begin();
   }
 
@@ -181,8 +185,12 @@ class Flow {
   private begin(): Page {
     const page = this.newPage();
     const top = page.height - page.margin;
-    page.text(words.stepsTitle(), [page.margin, top - capHeight * sizes.heading], sizes.heading);
-    drawMarks(page, top - 11.5);
+    page.text(
+      this.words.stepsTitle(),
+      [page.margin, top - capHeight * sizes.heading],
+      sizes.heading,
+    );
+    drawMarks(page, top - 11.5, this.words);
     this.y = top - 15;
     return page;
   }
@@ -195,6 +203,7 @@ function drawStep(
   rank: number,
   grown: (frame: Frame) => PictureShape[],
 ): void {
+  const { words } = input;
   const { name, sheet } = input.views.result.pieces[step.piece]!;
   flow.need(pictureHeight + 4);
   const { page } = flow;
@@ -239,7 +248,7 @@ function drawStep(
  * @param newPage begins another one
  */
 export function drawSteps(newPage: () => Page, input: StepsInput): void {
-  const flow = new Flow(newPage);
+  const flow = new Flow(newPage, input.words);
   const built = new Set<number>();
   let usual: ViewName = 'front-left';
   for (const [rank, step] of input.plan.steps.entries()) {

@@ -2,7 +2,7 @@
 import { extentsOf } from '../model/bounds.js';
 import { buildingTime } from '../model/building-time.js';
 import type { JobResult } from '../model/job.js';
-import { building as words } from '../words/building.js';
+import type { BuildingWords } from '../words/building.js';
 import type { BuildingPlan } from './building-plan.js';
 import type { Look } from './line-style.js';
 import { drawModel, fitOf, pieceRgb, reachOf } from './model-picture.js';
@@ -21,6 +21,7 @@ export interface CoverInput {
   views: ModelViews;
   look: Look;
   flatFold: number;
+  words: BuildingWords;
 }
 
 const sizes = { title: 9, subtitle: 4, letter: 3.6, small: 2.6, text: 3 } as const;
@@ -89,7 +90,7 @@ function sideRoom({ result: { pieces } }: ModelViews): number {
 }
 
 function drawView(page: Page, input: CoverInput, modelView: ModelView, box: Frame): void {
-  const { views, flatFold } = input;
+  const { views, flatFold, words } = input;
   const side = sideRoom(views);
   const frame: Frame = {
     left: box.left + side,
@@ -150,7 +151,7 @@ function length(mm: number): string {
   return String(Number(mm.toFixed(mm < 10 ? 1 : 0)));
 }
 
-function factsOf({ plan, result }: CoverInput): [label: string, value: string][] {
+function factsOf({ plan, result, words }: CoverInput): [label: string, value: string][] {
   const { model, pieces, sheets } = result;
   const [width, height, depth] = extentsOf(model.vertices).map(length);
   const time = buildingTime(result, plan.steps);
@@ -244,7 +245,7 @@ function drawFoldSample(page: Page, look: Look, kind: 'mountain' | 'valley', at:
 /** Names of pieces with valleys beyond this number are not listed: the list of pieces tells. */
 const mostNames = 12;
 
-function foldsBlock({ look, plan, result }: CoverInput, room: number): Block {
+function foldsBlock({ look, plan, result, words }: CoverInput, room: number): Block {
   const samples = (['mountain', 'valley'] as const).map((kind) =>
     labelled(
       27,
@@ -265,7 +266,7 @@ function foldsBlock({ look, plan, result }: CoverInput, room: number): Block {
   return stacked([...samples, labelled(0, told, room, () => undefined)]);
 }
 
-function howBlock(room: number): Block {
+function howBlock({ words }: CoverInput, room: number): Block {
   const sentences = words
     .how()
     .map((sentence, i) =>
@@ -295,7 +296,7 @@ export function drawCover(page: Page, input: CoverInput): void {
   const [facts, folds, how] = [
     factsBlock(input, column),
     foldsBlock(input, column),
-    howBlock(room),
+    howBlock(input, room),
   ];
   const upper = Math.max(facts.height, folds.height);
   // The note at the foot of the page stays free.

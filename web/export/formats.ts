@@ -1,5 +1,9 @@
-/** Formats in which results are written. */
-export const exportFormats = ['fold', 'svg', 'pdf', 'dxf', 'png', 'glb'] as const;
+/** Formats in which results are drawn. */
+export const drawnFormats = ['fold', 'svg', 'pdf', 'dxf', 'png', 'glb'] as const;
+export type DrawnFormat = (typeof drawnFormats)[number];
+
+/** Formats in which results are written; `foldwright` holds the document itself. */
+export const exportFormats = [...drawnFormats, 'foldwright'] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 
 /** A file, not yet anywhere. */

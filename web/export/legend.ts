@@ -1,6 +1,7 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
 import type { PrintOptions } from '../model/print-options.js';
 import { bandOf } from '../model/sheet-room.js';
+import type { Words } from '../words/words.js';
 import type { SheetFrame, Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
 import type { Point } from './point.js';
@@ -51,7 +52,11 @@ function flapSample(): Stroke[] {
   ];
 }
 
-function entriesFor(pieces: readonly PieceDrawing[], foldTicks: boolean): Entry[] {
+function entriesFor(
+  pieces: readonly PieceDrawing[],
+  foldTicks: boolean,
+  told: Words['sheets']['legend'],
+): Entry[] {
   const texts = pieces.flatMap((piece) => piece.texts.map(({ text }) => text));
   const some = (test: (piece: PieceDrawing) => boolean): boolean => pieces.some(test);
   const line = (kind: 'cut' | 'mountain' | 'valley', text: string): Entry => {
@@ -61,25 +66,21 @@ function entriesFor(pieces: readonly PieceDrawing[], foldTicks: boolean): Entry[
   const hasIds = texts.some((text) => /^\d+$/.test(text));
   const hasPairs = texts.some((text) => /^(?:[A-Z]+|.*:)\d+$/.test(text));
   return [
-    line('cut', 'cut'),
-    ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', 'mountain fold')] : []),
-    ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', 'valley fold')] : []),
+    line('cut', told.cut),
+    ...(some(({ mountains }) => mountains.length > 0) ? [line('mountain', told.mountain)] : []),
+    ...(some(({ valleys }) => valleys.length > 0) ? [line('valley', told.valley)] : []),
     ...(foldTicks && some(({ mountains, valleys }) => mountains.length + valleys.length > 0)
-      ? [words('fold from mark to mark')]
+      ? [words(told.ticks)]
       : []),
-    ...(some(({ flaps }) => flaps.length > 0)
-      ? [{ sample: flapSample(), text: 'flap for glue' }]
-      : []),
-    ...(hasIds ? [words('12: joins the other 12')] : []),
+    ...(some(({ flaps }) => flaps.length > 0) ? [{ sample: flapSample(), text: told.flap }] : []),
+    ...(hasIds ? [words(told.number)] : []),
     ...(some((piece) => piece.texts.some(({ underlined }) => underlined))
-      ? [words('number with a line: the line is below')]
+      ? [words(told.underlined)]
       : []),
-    ...(hasPairs ? [words('C3 on piece A: joins A3 on piece C')] : []),
-    ...(some(({ hasTape }) => hasTape) ? [words('two strokes across an edge: tape')] : []),
-    ...(some(({ letter }) => letter.startsWith('strip-'))
-      ? [words('strip A-C:3: behind edge C3 of A')]
-      : []),
-    ...(texts.some((text) => text.endsWith('°')) ? [words('34°: fold angle')] : []),
+    ...(hasPairs ? [words(told.pair)] : []),
+    ...(some(({ hasTape }) => hasTape) ? [words(told.tape)] : []),
+    ...(some(({ letter }) => letter.startsWith('strip-')) ? [words(told.strip)] : []),
+    ...(texts.some((text) => text.endsWith('°')) ? [words(told.angle)] : []),
   ];
 }
 
@@ -168,10 +169,12 @@ export function placeLegend(
   sheets: readonly SheetDrawing[],
   margin: number,
   { foldTicks }: Pick<PrintOptions, 'foldTicks'>,
+  words: Words,
 ): { sheet: number; legend: SheetFrame } | null {
   const entries = entriesFor(
     sheets.flatMap(({ pieces }) => pieces),
     foldTicks,
+    words.sheets.legend,
   );
   for (const [sheet, drawing] of sheets.entries()) {
     const legend =

@@ -88,18 +88,25 @@ function scaled(shape: PictureShape, factor: number): PictureShape {
 /** Over the sum of the widths that its letters have at most, a line of a sentence is no wider than this. */
 const sentenceShare = 0.91;
 
+/**
+ * What stays in one line: a word with the blank before it, or a letter of a script without blanks between words, each
+ * with the brackets and stops that belong to it.
+ */
+const unbroken =
+  / *[「（]*(?:[\p{sc=Han}\p{sc=Hira}\p{sc=Kana}]|[^ \p{sc=Han}\p{sc=Hira}\p{sc=Kana}「（、。」）：]+)[ー、。」）：ぁぃぅぇぉっゃゅょァィゥェォッャュョ]*|./gu;
+
 /** A text in lines that have room; a word that has none is shortened. */
 export function wrapped(text: string, size: number, room: number): string[] {
   const lines: string[] = [];
   let line = '';
-  for (const word of text.split(' ')) {
-    const longer = line === '' ? word : `${line} ${word}`;
+  for (const [word] of text.matchAll(unbroken)) {
+    const longer = line === '' ? word.trimStart() : line + word;
     if (sentenceShare * widthAtMost(longer, size) <= room) {
       line = longer;
       continue;
     }
     if (line !== '') lines.push(line);
-    line = shortened(word, size, room);
+    line = shortened(word.trimStart(), size, room);
   }
   return line === '' ? lines : [...lines, line];
 }

@@ -1,5 +1,5 @@
 /** All pieces, with pictures of where they belong. */
-import { building as words } from '../words/building.js';
+import type { BuildingWords } from '../words/building.js';
 import type { BuildingPlan } from './building-plan.js';
 import {
   drawModel,
@@ -29,6 +29,7 @@ export interface PieceListInput {
   plan: BuildingPlan;
   /** Whether the list shows where pieces are. */
   hasPictures: boolean;
+  words: BuildingWords;
 }
 
 /** The model in grey with one piece in its colour. */
@@ -56,7 +57,7 @@ function aloneIn(views: ModelViews, piece: number, { view }: ModelView, fit: Fit
   ];
 }
 
-function wordsFor({ plan, views, hasPictures }: PieceListInput, piece: number): string[] {
+function wordsFor({ plan, views, words, hasPictures }: PieceListInput, piece: number): string[] {
   const { flaps, sheet, sources } = views.result.pieces[piece]!;
   const { mountains, valleys } = plan.folds[piece]!;
   const isHidden = hasPictures && views.hides(views.bestFor(piece, 'front-left'), piece);
@@ -93,7 +94,10 @@ class Cells {
   private page: Page;
   private used = 0;
 
-  constructor(private readonly newPage: () => Page) {
+  constructor(
+    private readonly newPage: () => Page,
+    private readonly words: BuildingWords,
+  ) {
     this.page = this.begin();
   }
 
@@ -138,14 +142,19 @@ class Cells {
   private begin(): Page {
     const page = this.newPage();
     const top = page.height - page.margin;
-    page.text(words.piecesTitle(), [page.margin, top - capHeight * sizes.heading], sizes.heading);
+    page.text(
+      this.words.piecesTitle(),
+      [page.margin, top - capHeight * sizes.heading],
+      sizes.heading,
+    );
     this.used = 0;
     return page;
   }
 }
 
 /** What is on the sheets beside the pieces. */
-function stripWords({ result: { strips } }: ModelViews): string | null {
+function stripWords({ views, words }: PieceListInput): string | null {
+  const { strips } = views.result;
   if (strips.length === 0) return null;
   const runs = strips.map(({ id }) => id);
   return words.strips({ runs, strips: strips.length });
@@ -157,12 +166,12 @@ function stripWords({ result: { strips } }: ModelViews): string | null {
  * @param newPage begins another one
  */
 export function drawPieceList(newPage: () => Page, input: PieceListInput): void {
-  const cells = new Cells(newPage);
+  const cells = new Cells(newPage, input.words);
   // In the order in which they have their letters.
   for (const piece of input.views.result.pieces.keys()) {
     const { box, page } = cells.next();
     drawEntry(page, input, piece, box);
   }
-  const strips = stripWords(input.views);
+  const strips = stripWords(input);
   if (strips !== null) cells.close(strips);
 }

@@ -21,6 +21,8 @@ import { withRims } from './rims.js';
 import type { PieceImage, PieceImages } from './texture/piece-images.js';
 import { drawNamesBeside, drawPieces, type SheetDrawing } from './sheet-drawing.js';
 import { cleaned } from './text-line.js';
+import { loadWords } from '../words/load.js';
+import type { Words } from '../words/words.js';
 
 /** What sheets are made of. */
 export interface PrintInput {
@@ -33,6 +35,9 @@ export interface PrintInput {
   loadFont: FontLoader;
   loadRenderer: RendererLoader;
 }
+
+/** With the words of the language that is asked for. */
+type Drawn = PrintInput & { words: Words };
 
 /** All sheets of a job, ready to be written in any format. */
 export interface Print {
@@ -80,10 +85,10 @@ async function drawImages(input: PrintInput): Promise<PieceImages> {
   return options.texture === 'on' ? { ...none, notices: [{ code: 'no-looks', params: {} }] } : none;
 }
 
-function noteOf(sheet: number, count: number, options: PrintOptions): string {
-  const page = `sheet ${sheet + 1} of ${count} · print at 100 %`;
+function noteOf(sheet: number, count: number, { options, words }: Drawn): string {
+  const page = words.sheets.note(sheet + 1, count);
   if (!isCalibrated(options)) return page;
-  return `${page} · corrected for ${options.measured.join(' × ')} mm`;
+  return `${page} · ${words.sheets.corrected(...options.measured)}`;
 }
 
 function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notice[] {
@@ -115,16 +120,14 @@ async function loadFonts(
 }
 
 /** The sheets without their legend, their folds as lines. */
-function drawFronts(
-  { result, title, margin, options }: PrintInput,
-  images: ReadonlyMap<Piece, PieceImage>,
-): SheetDrawing[] {
+function drawFronts(input: Drawn, images: ReadonlyMap<Piece, PieceImage>): SheetDrawing[] {
+  const { result, title, margin, options, words } = input;
   const count = result.sheets.length;
   const isTwoSided = printsBacks(options);
   return result.sheets.map(({ width, height }, sheet): SheetDrawing => {
-    const note = noteOf(sheet, count, options);
+    const note = noteOf(sheet, count, input);
     const ends = isTwoSided ? crossRoom : 0;
-    const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends });
+    const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends, words });
     if (isTwoSided) frame.strokes.push(...alignmentCrosses(width, height, margin));
     const names = drawNamesBeside(result, sheet);
     frame.strokes.push(...names.strokes);
@@ -133,17 +136,17 @@ function drawFronts(
   });
 }
 
-function drawBacks(fronts: readonly SheetDrawing[], input: PrintInput): SheetDrawing[] {
-  const { margin, options } = input;
+function drawBacks(fronts: readonly SheetDrawing[], input: Drawn): SheetDrawing[] {
+  const { margin, options, words } = input;
   if (!printsBacks(options)) return [];
   const [title, count] = [cleaned(input.title), fronts.length];
-  return fronts.map((sheet, i) => backOf({ sheet, number: i + 1, count, margin, title }));
+  return fronts.map((sheet, i) => backOf({ sheet, number: i + 1, count, margin, title, words }));
 }
 
 /** Adds a legend, if it was asked for and one of the sheets has room; tells whether one is lacking. */
-function addLegend(sheets: readonly SheetDrawing[], { margin, options }: PrintInput): boolean {
+function addLegend(sheets: readonly SheetDrawing[], { margin, options, words }: Drawn): boolean {
   if (!options.legend || options.machine !== 'none') return false;
-  const found = placeLegend(sheets, margin, options);
+  const found = placeLegend(sheets, margin, options, words);
   if (!found) return true;
   const { strokes, texts } = sheets[found.sheet]!.frame;
   sheets[found.sheet]!.frame = {
@@ -164,7 +167,13 @@ function finished(sheet: SheetDrawing, options: PrintOptions): SheetDrawing {
 const pageLookOf = (options: PrintOptions): Look => lookOf({ ...options, machine: 'none' });
 
 /** The pages that tell how to build the model. No printer's scale is corrected: nothing is measured there. */
-async function drawPages({ margin, options, result, title }: PrintInput): Promise<SheetDrawing[]> {
+async function drawPages({
+  margin,
+  options,
+  result,
+  title,
+  words,
+}: Drawn): Promise<SheetDrawing[]> {
   if (!options.assembly) return [];
   const { assemblyPages } = await import('./assembly-pages.js');
   return assemblyPages({
@@ -173,6 +182,7 @@ async function drawPages({ margin, options, result, title }: PrintInput): Promis
     result,
     title: cleaned(title),
     look: pageLookOf(options),
+    words: words.building,
   });
 }
 
@@ -184,12 +194,13 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
   const { options, loadFont, loadRenderer } = input;
   const { machine, dpi } = options;
   const { images, notices: told } = await drawImages(input);
-  const fronts = drawFronts(input, images);
-  const lacksLegend = addLegend(fronts, input);
+  const drawn = { ...input, words: await loadWords(options.language) };
+  const fronts = drawFronts(drawn, images);
+  const lacksLegend = addLegend(fronts, drawn);
   const sheets = fronts.map((sheet) => finished(sheet, options));
-  const backs = drawBacks(fronts, input).map((back) => calibrated(back, corrections(options)));
+  const backs = drawBacks(fronts, drawn).map((back) => calibrated(back, corrections(options)));
   const notices = [...told, ...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
-  const pages = await drawPages(input);
+  const pages = await drawPages(drawn);
   const texts = textsOf([...pages, ...sheets, ...backs]);
   const isText = machine === 'none' && texts.every(isPlain);
   const fonts = isText ? null : await loadFonts(texts, loadFont, notices);

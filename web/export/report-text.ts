@@ -22,7 +22,7 @@ function textOf(value: unknown, indent: string): string {
   return block('{', '}', entries, indent);
 }
 
-/** What the command line writes with `--report`. */
-export function reportText(report: Report): string {
+/** What the command line writes with `--report`; reports of a batch tell no times. */
+export function reportText(report: Omit<Report, 'seconds'>): string {
   return `${textOf(report, '')}\n`;
 }

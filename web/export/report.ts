@@ -8,6 +8,7 @@ import { glueOf, measureSeams, shrunkHeights, type MeasuredSeam } from '../model
 import type { StageSeconds } from '../model/stage-seconds.js';
 import { verdictOf, type Conclusion, type Finding } from '../model/verdict.js';
 import { phraseOf, repairPhrase } from '../words/phrase.js';
+import type { Words } from '../words/words.js';
 
 /** What a report is made of. */
 export interface ReportInput {
@@ -22,6 +23,8 @@ export interface ReportInput {
   /** Notices that came up when the sheets were drawn. */
   printed: Notice[];
   seconds: StageSeconds;
+  /** For its texts. */
+  words: Words;
 }
 
 /** Pieces, parts and sheets count from 1, as a person sees them. */
@@ -125,7 +128,7 @@ function shrunkReport(result: JobResult): ShrunkReport | null {
 
 /** The report of a run. */
 export function makeReport(input: ReportInput): Report {
-  const { job, result } = input;
+  const { job, result, words } = input;
   const { model } = result;
   const seams = measureSeams(result);
   const { within, between } = glueOf(seams);
@@ -138,7 +141,7 @@ export function makeReport(input: ReportInput): Report {
       faces: model.faces.length / 3,
       vertices: model.vertices.length / 3,
       components: model.components,
-      repairs: result.repairs.map((repair) => ({ ...repair, text: repairPhrase(repair) })),
+      repairs: result.repairs.map((repair) => ({ ...repair, text: repairPhrase(words, repair) })),
       simplified_deviation_mm: result.deviation,
     },
     parts_requested: job.parts === 0 ? 'auto' : job.parts,
@@ -156,7 +159,7 @@ export function makeReport(input: ReportInput): Report {
     ids: { printed: result.ids.printed, skipped: result.ids.skipped },
     notices: resultNotices(result, job.margin, input.printed).map((notice) => ({
       ...notice,
-      text: phraseOf(notice),
+      text: phraseOf(words, notice),
     })),
     verdict: verdictOf(result, job.margin),
     seconds: input.seconds,

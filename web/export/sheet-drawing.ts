@@ -1,5 +1,7 @@
 import type { JobResult, Piece, PieceLabel, Strip } from '../model/job.js';
 import type { PrintOptions } from '../model/print-options.js';
+import { flapShape, type FlapShape } from './flap-shape.js';
+import type { FlapCorners } from './flap-corners.js';
 import type { GroundShape } from './ground-shape.js';
 import { groundOf } from './piece-ground.js';
 import { bareFlap } from './texture/flap-bleed.js';
@@ -58,21 +60,13 @@ export interface SheetDrawing {
 
 type At = (vertex: number) => Point;
 
-/** Foot, top, top and foot of a flap. */
-function flapCorners(piece: Piece, flap: number): Point[] {
-  return Array.from({ length: 4 }, (_, i): Point => [
-    piece.x + piece.flaps.corners[8 * flap + 2 * i]!,
-    piece.y + piece.flaps.corners[8 * flap + 2 * i + 1]!,
-  ]);
-}
-
 function areSame([x, y]: Point, [u, v]: Point): boolean {
   // A tenth of the last decimal that is written.
   return Math.abs(x - u) < 1e-5 && Math.abs(y - v) < 1e-5;
 }
 
 /** The closed walks along the cuts, around the flaps. */
-function drawCuts(piece: Piece, at: At): Point[][] {
+function drawCuts(piece: Piece, shapes: readonly FlapShape[], at: At): Point[][] {
   const { edges, bases } = piece.flaps;
   const flapAt = new Map<number, number>(); // by the vertex that its base starts from
   edges.forEach((_, flap) => flapAt.set(bases[2 * flap]!, flap));
@@ -84,7 +78,7 @@ function drawCuts(piece: Piece, at: At): Point[][] {
       if (inner.has(vertex)) continue;
       walk.push(at(vertex));
       const flap = flapAt.get(vertex);
-      if (flap !== undefined) walk.push(...flapCorners(piece, flap));
+      if (flap !== undefined) walk.push(...shapes[flap]!.cut);
     }
     return walk.filter((point, i) => !areSame(point, walk[(i + 1) % walk.length]!));
   });
@@ -102,7 +96,7 @@ function* insideBases(outline: Int32Array, { flaps }: Piece): Generator<number> 
   }
 }
 
-/** The folds of one sign: those between faces, and the bases of flaps. */
+/** The folds of one sign between faces. */
 function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): Segment[] {
   const segments: Segment[] = [];
   for (let edge = 0; edge < piece.assignments.length; ++edge) {
@@ -110,13 +104,14 @@ function drawFolds(piece: Piece, letter: 'M' | 'V', flatFold: number, at: At): S
     if (Math.abs(piece.foldAngles[edge]!) < flatFold) continue;
     segments.push([at(piece.edges[2 * edge]!), at(piece.edges[2 * edge + 1]!)]);
   }
-  piece.flaps.angles.forEach((angle, flap) => {
-    // However flat: the line shows where the neighbour's edge comes to lie.
-    if ((angle > 0 ? 'V' : 'M') !== letter) return;
-    const [from, , , to] = flapCorners(piece, flap);
-    segments.push([from!, to!]);
-  });
   return segments;
+}
+
+/** The folds of flaps of one sign, however flat: they show where the neighbour's edge comes to lie. */
+function drawFlapFolds(piece: Piece, letter: 'M' | 'V', shapes: readonly FlapShape[]): Segment[] {
+  return shapes
+    .filter((_, flap) => (piece.flaps.angles[flap]! > 0 ? 'V' : 'M') === letter)
+    .map(({ fold }) => fold);
 }
 
 /** The folds between faces that are drawn, with their angles. */
@@ -174,15 +169,27 @@ function drawStrip({ id, outline, fold, foldAngle, label }: Strip): PieceDrawing
   };
 }
 
+/** A piece before anything is coloured. */
+interface BarePiece extends PieceDrawing {
+  flaps: FlapCorners[];
+}
+
 /** The lines of one piece. */
-export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions): PieceDrawing {
+export function drawPiece(
+  piece: Piece,
+  { flatFold, foldAngles, thickness }: PrintOptions,
+): BarePiece {
   const at: At = (vertex) => [
     piece.x + piece.vertices[2 * vertex]!,
     piece.y + piece.vertices[2 * vertex + 1]!,
   ];
-  const cuts = drawCuts(piece, at);
-  const mountains = drawFolds(piece, 'M', flatFold, at);
-  const valleys = drawFolds(piece, 'V', flatFold, at);
+  const shapes = Array.from(piece.flaps.edges, (_, flap) => flapShape(piece, flap, thickness));
+  const cuts = drawCuts(piece, shapes, at);
+  const folds = (letter: 'M' | 'V'): Segment[] => [
+    ...drawFolds(piece, letter, flatFold, at),
+    ...drawFlapFolds(piece, letter, shapes),
+  ];
+  const [mountains, valleys] = [folds('M'), folds('V')];
   const guides = drawGuides(piece);
   const hasTape = piece.tapeMarks.length > 0;
   const texts = piece.labels.filter(isOnPiece).map((label) => lineOf(label, piece.x, piece.y));
@@ -193,7 +200,6 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
     const lines = [...cuts.flatMap(sidesOf), ...mountains, ...valleys, ...guides, ...underlines];
     texts.push(...tellAngles(angledFolds(piece, flatFold, at), lines, texts));
   }
-  const flaps = Array.from(piece.flaps.edges, (_, flap) => flapCorners(piece, flap));
   return {
     letter: piece.name,
     cuts,
@@ -201,7 +207,7 @@ export function drawPiece(piece: Piece, { flatFold, foldAngles }: PrintOptions):
     valleys,
     guides,
     hasTape,
-    flaps,
+    flaps: shapes.map(({ corners }) => corners),
     ground: [],
     texts,
   };

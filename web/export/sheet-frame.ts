@@ -5,6 +5,7 @@
  */
 import { rulerLength, type LineKind } from '../model/print-options.js';
 import { bandHeight, bandOf } from '../model/sheet-room.js';
+import type { Words } from '../words/words.js';
 import type { Point } from './point.js';
 import { capHeight, shortened, widthAtMost, type TextLine } from './text-line.js';
 
@@ -31,6 +32,7 @@ export interface SheetFramePlan {
   note: string;
   /** What stays free at the far ends of both bands; mm. */
   ends: number;
+  words: Words;
 }
 
 // 6 points: small, but readable on every printer.
@@ -109,15 +111,16 @@ function scaleBox(left: number, bottom: number, width: number): SheetFrame {
   };
 }
 
-// The words are the reader's, as few as possible: in two lines beside the arrow.
-const outsideWords = ['this side', 'is outside'] as const;
 /** Of the arrow: half of its paper, and of its head. */
 const [paperHalf, headHalf] = [1.8, 0.9];
-const outsideWidth =
-  2 * paperHalf + 1 + Math.max(...outsideWords.map((words) => widthAtMost(words, textSize)));
+
+function outsideWidth({ sheets: { outside } }: Words): number {
+  return 2 * paperHalf + 1 + Math.max(...outside.map((line) => widthAtMost(line, textSize)));
+}
 
 /** The paper from the side, with an arrow that leaves it upwards, and what that means; in a band from `start`. */
-function outsideMark(angle: 0 | 90, start: Point): SheetFrame {
+function outsideMark(angle: 0 | 90, start: Point, { sheets }: Words): SheetFrame {
+  const [upper, lower] = sheets.outside;
   const place = placeAt(start, angle);
   const [low, high] = [lowerLine, upperLine + capHeight * textSize];
   const open = (...points: Point[]): Stroke => ({ points: points.map(place), closed: false });
@@ -132,7 +135,7 @@ function outsideMark(angle: 0 | 90, start: Point): SheetFrame {
       open([foot, low], [foot, high]),
       open([foot - headHalf, head], [foot, high], [foot + headHalf, head]),
     ],
-    texts: [line(outsideWords[0], upperLine), line(outsideWords[1], lowerLine)],
+    texts: [line(upper, upperLine), line(lower, lowerLine)],
   };
 }
 
@@ -158,31 +161,33 @@ function measures(margin: number, room: number): Row {
 }
 
 /** The ruler at the left, and above it what has no room below. */
-function leftBand(margin: number, height: number, hasMark: boolean): SheetFrame[] {
+function leftBand({ margin, height, ends, words }: SheetFramePlan, hasMark: boolean): SheetFrame[] {
   const { from, to } = bandOf(margin);
-  const mark = hasMark ? outsideWidth + gap : 0;
-  const room = height - margin - to;
+  const width = outsideWidth(words);
+  const mark = hasMark ? width + gap : 0;
+  const room = height - ends - margin - to;
   const up = rulerFor(room - unitWidth - mark);
   const top = up > 0 ? to + up + unitWidth : to;
   return [
     ...(up > 0 ? [ruler(up, 90, [from + lineRoom, to])] : []),
-    ...(hasMark && outsideWidth <= height - margin - top
-      ? [outsideMark(90, [from + bandHeight, top])]
+    ...(hasMark && width <= height - ends - margin - top
+      ? [outsideMark(90, [from + bandHeight, top], words)]
       : []),
   ];
 }
 
 /** The frame of one sheet. On paper too small for all of it some parts are smaller or left out. */
 export function frameSheet(plan: SheetFramePlan): SheetFrame {
-  const { width, height, margin, title, note, ends } = plan;
+  const { width, margin, title, note, ends, words } = plan;
   const { from, to } = bandOf(margin);
   const end = width - margin - ends;
-  const words = widthAtMost(note, textSize);
-  const { parts, left: first } = measures(margin, end - to - words);
-  const isBelow = first + outsideWidth + gap + words <= end;
-  if (isBelow) parts.push(outsideMark(0, [first, from]));
-  const left = isBelow ? first + outsideWidth + gap : first;
-  parts.push(...leftBand(margin, height - ends, !isBelow));
+  const noteWidth = widthAtMost(note, textSize);
+  const { parts, left: first } = measures(margin, end - to - noteWidth);
+  const behind = first + outsideWidth(words) + gap;
+  const isBelow = behind + noteWidth <= end;
+  if (isBelow) parts.push(outsideMark(0, [first, from], words));
+  const left = isBelow ? behind : first;
+  parts.push(...leftBand(plan, !isBelow));
   const line = (text: string, y: number): TextLine => ({
     text: shortened(text, textSize, end - left),
     at: [left, from + y],

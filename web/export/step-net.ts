@@ -115,7 +115,7 @@ export function drawStepNet(
   frame: Frame,
 ): PictureShape[] {
   const piece = views.result.pieces[step.piece]!;
-  const { cuts, mountains } = drawPiece(piece, { ...options, foldAngles: false });
+  const { cuts, mountains } = drawPiece(piece, { ...options, foldAngles: false, thickness: 0 });
   const valleys = valleysOf(piece, options.flatFold);
   const fit = fitOf(cuts, frame);
   const fitted = (walks: readonly Point[][]): Point[][] => walks.map((walk) => walk.map(fit));

@@ -1,3 +1,4 @@
+import { escaped } from '../model/markup.js';
 import type { LineKind, LineStyle } from '../model/print-options.js';
 import type { FontSet } from './font-set.js';
 import { layers, layerTitles, type Layer } from './layers.js';
@@ -15,11 +16,6 @@ import { underlineOf, type TextLine } from './text-line.js';
 /** The 0.1 micrometre that four decimals keep is far below what any printer or cutter resolves. */
 function decimal(value: number): string {
   return String(Number(value.toFixed(4)) + 0);
-}
-
-function escaped(text: string): string {
-  const names: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
-  return text.replace(/[&<>"]/g, (letter) => names[letter]!);
 }
 
 function attributes(values: Record<string, string | number>): string {

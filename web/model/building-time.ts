@@ -45,3 +45,15 @@ export function buildingTime(
   const first = seconds.piece * pieces.length + seconds.cutMillimetre * cuts + seconds.fold * folds;
   return { glued: first + seconds.glue * seams.length, taped: first + seconds.tape * seams.length };
 }
+
+/** How hard a model is to build. */
+export type Difficulty = 'easy' | 'medium' | 'hard';
+
+/** Seconds up to which a model is easy, an afternoon, and medium, a weekend; more is hard. */
+const limits = { easy: 2 * 3600, medium: 6 * 3600 } as const;
+
+/** How hard a model is, by the time that it takes when its seams are glued: nothing else is known to matter as much. */
+export function difficultyOf(glued: number): Difficulty {
+  if (glued <= limits.easy) return 'easy';
+  return glued <= limits.medium ? 'medium' : 'hard';
+}

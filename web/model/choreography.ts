@@ -19,8 +19,8 @@ export interface Track {
   poses: Pose[];
 }
 
-/** Width over height of the table on which the pieces lie: that of most screens. */
-const tableAspect = 1.6;
+/** Width over height of most screens. */
+const usualAspect = 1.6;
 
 /** Room between pieces, as a share of the model's radius. */
 const gapShare = 0.1;
@@ -34,18 +34,30 @@ export function flightTimes(rank: number, pieces: number): { start: number; end:
   return { start, end: rank === pieces - 1 ? 1 : start + duration };
 }
 
+/**
+ * The times at which a person has something to hold: all pieces flat, all folded, and each piece in its place, in the
+ * order in which they join.
+ */
+export function stepTimes(pieces: number): number[] {
+  return [
+    0,
+    foldEnd,
+    ...Array.from({ length: pieces }, (_, rank) => flightTimes(rank, pieces).end),
+  ];
+}
+
 /** How high the pieces rise above the table while they fold. */
 function highestOf(bodies: readonly Body[]): number {
   return Math.max(...bodies.map(({ room }) => room.high[2]));
 }
 
 /** Lays the pieces on a table so far below the model that nothing gets in the way of the flights. */
-function layOnTable(bodies: readonly Body[], model: Ball, table: Turn): Pose[] {
+function layOnTable(bodies: readonly Body[], model: Ball, table: Turn, aspect: number): Pose[] {
   const boxes = bodies.map(({ room: { low, high } }) => ({
     width: high[0] - low[0],
     height: high[1] - low[1],
   }));
-  const spots = layInRows(boxes, tableAspect, gapShare * model.radius);
+  const spots = layInRows(boxes, aspect, gapShare * model.radius);
   const widest = Math.max(...bodies.map(({ ball }) => ball.radius));
   const depth = model.radius + 2 * widest + highestOf(bodies);
   const middle = minus(model.centre, turned(table, [0, 0, depth]));
@@ -63,9 +75,15 @@ function layOnTable(bodies: readonly Body[], model: Ball, table: Turn): Pose[] {
  *
  * @param model a ball around it
  * @param table turns sheets into the plane on which they lie at first, printed side up
+ * @param aspect width over height of what they fill there
  */
-export function choreograph(bodies: readonly Body[], model: Ball, table: Turn): Track[] {
-  const starts = layOnTable(bodies, model, table);
+export function choreograph(
+  bodies: readonly Body[],
+  model: Ball,
+  table: Turn,
+  aspect = usualAspect,
+): Track[] {
+  const starts = layOnTable(bodies, model, table, aspect);
   const highest = highestOf(bodies);
   const up = turned(table, [0, 0, 1]);
   return bodies.map(({ ball, from, home, rank, room }, piece) => {

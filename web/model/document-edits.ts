@@ -45,7 +45,7 @@ export type FieldFault =
   | { expected: 'whole' | 'list'; least: number }
   | { expected: 'one-of'; words: readonly string[] };
 
-/** Why something is no list of edits; edits count from 1. Its words are in `web/words/en-edits.ts`. */
+/** Why something is no list of edits; edits count from 1. Its words are in `web/words/en/edit-lists.ts`. */
 export type EditFault =
   | { what: 'no-list' }
   | { what: 'no-object'; edit: number }

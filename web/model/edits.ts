@@ -1,5 +1,5 @@
 import type { DocumentEdit } from './document-edits.js';
-import type { JobResult, JobStart, NetEdit, PartEdit, Piece } from './job.js';
+import type { JobResult, JobStart, NetEdit, PartEdit, Piece, SavedNet } from './job.js';
 import type { PartName } from './job-options.js';
 
 /** Splits a part in so many. */
@@ -30,6 +30,27 @@ export function startInPlace(
   const { scale, sheets } = result;
   const paper = { scale, sheets: sheets.length, sheetWidth: sheets[0]?.width ?? 0 };
   return { ...startFrom(result, partEdits, netEdits), paper };
+}
+
+/** Identifies a net by its faces and folds. */
+export function netKey({ faces, folds }: SavedNet): string {
+  return `${faces.join()}|${folds.join()}`;
+}
+
+/**
+ * Where the last stage alone begins to make a result again: with the places that its nets had before they were
+ * laid down, since a place that is worked out again differs by its rounding.
+ *
+ * @param start of the job that made it; null if that was a run
+ */
+export function startAgain({ labels, nets }: JobResult, start: JobStart | null): JobStart {
+  const paper = start?.paper ?? null;
+  const before = new Map(paper && start!.nets.map((net) => [netKey(net), net.place]));
+  const laid = nets.map(({ place: _, ...net }): SavedNet => {
+    const place = before.get(netKey(net));
+    return place ? { ...net, place } : net;
+  });
+  return { labels, nets: laid, netEdits: [], partEdits: [], paper };
 }
 
 /** The names with another one for a part, or none if it is empty. */

@@ -11,6 +11,7 @@ export type Up = 'guess' | 'x' | 'y' | 'z';
 export type FlapSide = 'none' | 'one' | 'alternate' | 'both';
 /** Where the ids of cut edges go: on the faces, on flaps (beside edges without one), or both. */
 export type IdPlace = 'none' | 'inside' | 'flap' | 'both' | 'outside';
+export type FlapStyle = 'edge' | 'run' | 'zigzag';
 /** Loose strips for edges that get no flap: none, where sheets have room, or on further sheets, too. */
 export type GlueStrips = 'none' | 'free' | 'all';
 export type Unit = 'guess' | 'mm' | 'cm' | 'm' | 'in';
@@ -75,6 +76,10 @@ export interface JobOptions {
   faces: number;
   /** 'guess': from the file's format. */
   up: Up;
+  /** Fill holes up to so many percent of the model's longest side across; 0: none. */
+  fillHoles: number;
+  /** Leave out bodies that lie inside others. */
+  dropInner: boolean;
   sizing: Sizing;
   /**
    * Height (along y), width (along x) or depth (along z) in mm, once y is up; a factor, or a number of
@@ -88,6 +93,11 @@ export interface JobOptions {
   flapHeight: number;
   /** Of a flap's sides at its base, at most; degrees. */
   flapAngle: number;
+  /**
+   * What flaps along a gently bending run of seams look like: each as any other, as a strip with a
+   * notch at each corner, or as teeth.
+   */
+  flapStyle: FlapStyle;
   /** Whether open borders of the model get flaps as well. */
   flapBorders: boolean;
   /** Of several choices for one edge the last counts. */

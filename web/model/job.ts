@@ -299,6 +299,8 @@ export type JobEvent<Result = JobResult> =
     }
   | { type: 'net'; part: number; piece: number }
   | ({ type: 'notice' } & Message)
+  /** Where drafts are asked for: what a run would come to if it were stopped now, which is whole. */
+  | { type: 'draft'; result: Result }
   | { type: 'done'; result: Result }
   /** Ended on demand; `best` holds the nets found so far, if any: other faces are in no piece. */
   | { type: 'cancelled'; best?: Result }

@@ -19,22 +19,38 @@ const mostMegabytes = 512;
 /** Far more than come with any model; whoever gives more has chosen another folder by mistake. */
 export const mostFiles = 1000;
 
-/** Formats of models by their endings; an archive is the last to be one. */
-const modelEndings = [/\.(obj|stl|off|ply|glb|gltf|3mf|pdo)$/i, /\.zip$/i];
+const modelEnding = /\.(obj|stl|off|ply|glb|gltf|3mf|pdo)$/i;
+const archiveEnding = /\.zip$/i;
+const foldEnding = /\.fold$/i;
+
+/** Formats by their endings in the order in which they are taken for the model: FOLD files are mostly made of one. */
+const modelEndings = [modelEnding, foldEnding, archiveEnding];
+
+/** Whether a file is a model or an archive of one, by its name. FOLD files count only where they are meant. */
+export function isModelName(name: string): boolean {
+  return modelEnding.test(name) || archiveEnding.test(name);
+}
+
+/** Whether a file is called a FOLD file. */
+export function isFoldName(name: string): boolean {
+  return foldEnding.test(name);
+}
+
+/** What is too much of the files of a choice. */
+export type FileExcess =
+  { what: 'too-many'; most: number } | { what: 'too-large'; megabytes: number; most: number };
 
 /** Adds up files before they are read. */
 export class FileLimits {
   private bytes = 0;
   private count = 0;
 
-  /** What is too much of them, as in "it has ...", or null if nothing is. */
-  add(size: number): string | null {
+  /** What is too much of them, or null if nothing is. */
+  add(size: number): FileExcess | null {
     this.bytes += size;
-    if (++this.count > mostFiles) return `more than ${mostFiles} files`;
+    if (++this.count > mostFiles) return { what: 'too-many', most: mostFiles };
     const megabytes = Math.ceil(this.bytes / 2 ** 20);
-    return megabytes > mostMegabytes
-      ? `${megabytes} MB, and ${mostMegabytes} MB can be read`
-      : null;
+    return megabytes > mostMegabytes ? { what: 'too-large', megabytes, most: mostMegabytes } : null;
   }
 }
 
@@ -47,4 +63,9 @@ export function isHidden(name: string): boolean {
 export function probableModel(files: ModelFiles): string {
   const named = modelEndings.map((ending) => files.find(({ name }) => ending.test(name)));
   return (named.find((file) => file) ?? files[0])?.name ?? '';
+}
+
+/** What a model is called by the name of its file: without folders and ending. */
+export function titleOf(fileName: string): string {
+  return fileName.replace(/^.*[/\\]/, '').replace(/(?<=.)\.[^.]*$/, '');
 }

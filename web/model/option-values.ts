@@ -51,7 +51,7 @@ export function decimal(least: number, most: number): Parser<number> {
 }
 
 /** One of some words. */
-export function choice<const Word extends string>(words: Word[]): Parser<Word> {
+export function choice<const Word extends string>(words: readonly Word[]): Parser<Word> {
   return (text) => {
     const word = words.find((candidate) => candidate === text);
     if (word !== undefined) return word;

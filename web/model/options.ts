@@ -1,7 +1,15 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
 import { defaultOptions } from './default-options.js';
+import { fillRange, widestHole } from './holes.js';
 import type { JobOptions } from './job-options.js';
-import { defaultPrint, dpiRange, measurable, type PrintOptions } from './print-options.js';
+import { languages, usualLanguage } from './languages.js';
+import {
+  defaultPrint,
+  dpiRange,
+  measurable,
+  thicknessRange,
+  type PrintOptions,
+} from './print-options.js';
 import {
   choice,
   colour,
@@ -14,11 +22,10 @@ import {
   type Parser,
 } from './option-values.js';
 
-/** An option with a value. */
+/** An option with a value; what help says of it is in `web/words`. */
 export interface Row<Value> {
   /** How help writes the value. */
   value: string;
-  help: string;
   /** As a person would write it. */
   fallback: string;
   parse: Parser<Value>;
@@ -28,9 +35,8 @@ function row<const Value>(
   value: string,
   fallback: string | number,
   parse: Parser<Value>,
-  help: string,
 ): Row<Value> {
-  return { value, fallback: String(fallback), parse, help };
+  return { value, fallback: String(fallback), parse };
 }
 
 // Far more than a mesh that anyone could glue; larger numbers are typing errors.
@@ -39,248 +45,87 @@ const manyFaces = 10_000_000;
 // Thinner lines vanish, thicker ones hide what they mark.
 const lineWidth = decimal(0.01, 2);
 
-const width = (lines: string): Row<number | 'style'> =>
-  row('MM|style', 'style', wordOr('style', lineWidth), `width of ${lines}`);
+const width = (): Row<number | 'style'> => row('MM|style', 'style', wordOr('style', lineWidth));
 
-const dash = (lines: string): Row<number[] | 'style'> =>
-  row('MM,MM,..|solid|style', 'style', wordOr('style', dashes), `dashes and gaps of ${lines}`);
+const dash = (): Row<number[] | 'style'> =>
+  row('MM,MM,..|solid|style', 'style', wordOr('style', dashes));
 
-const colourOf = (lines: string): Row<string> =>
-  row('#RRGGBB|style', 'style', wordOr('style', colour), `colour of ${lines}`);
+const colourOf = (): Row<string> => row('#RRGGBB|style', 'style', wordOr('style', colour));
 
 export const rows = {
-  parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces)), 'number of parts'),
-  nets: row(
-    'NAME',
-    'new',
-    choice(['new', 'file']),
-    'file: keep the nets and flaps that the file brings along (PDO); new: search others',
-  ),
-  solver: row(
-    'NAME',
-    defaultOptions.solver,
-    choice(['tree', 'genetic']),
-    'tree: local search on spanning trees; genetic: evolution, as published',
-  ),
+  parts: row('K|auto', 'auto', wordOr('auto', whole(1, manyFaces))),
+  nets: row('NAME', 'new', choice(['new', 'file'])),
+  solver: row('NAME', defaultOptions.solver, choice(['tree', 'genetic'])),
   heuristic: row(
     'NAME',
     defaultOptions.heuristic,
     choice(['steepest', 'flat', 'hybrid', 'random']),
-    'for the learning: steepest, flat, hybrid or random',
   ),
-  segment: row(
-    'NAME',
-    defaultOptions.segment,
-    choice(['merge', 'spectral']),
-    'merge: foldability with shape cues; spectral: foldability alone',
-  ),
-  runs: row('N', defaultOptions.runs, whole(1, 65_535), 'learning runs'),
-  proxy: row(
-    'N',
-    defaultOptions.proxy,
-    whole(0, manyFaces),
-    'learn on a proxy above N faces; 0: never',
-  ),
-  seed: row('N', defaultOptions.seed, whole(0, 2 ** 32 - 1), 'the same seed gives the same result'),
-  faces: row('N|off', 'off', wordOr('off', whole(4, manyFaces)), 'simplify to N triangles first'),
-  folding: row(
-    'MODE',
-    defaultOptions.folding,
-    choice(['require', 'prefer', 'off']),
-    'nets without a folding motion: require: split; prefer: report; off: do not look',
-  ),
-  clearance: row(
-    'F',
-    defaultOptions.clearance,
-    decimal(0.0001, 0.2),
-    'how far apart faces stay while folding, in mean edge lengths',
-  ),
-  height: row(
-    'MM|none',
-    'none',
-    wordOr('none', decimal(1, 100_000)),
-    'finished height, from below to above; pieces too large for the sheet are cut again',
-  ),
-  width: row(
-    'MM|none',
-    'none',
-    wordOr('none', decimal(1, 100_000)),
-    'finished width: along x, or along y with x up',
-  ),
-  depth: row(
-    'MM|none',
-    'none',
-    wordOr('none', decimal(1, 100_000)),
-    'finished depth: along z, or along y with z up',
-  ),
-  up: row(
-    'AXIS|guess',
-    defaultOptions.up,
-    choice(['guess', 'x', 'y', 'z']),
-    'axis of the file that points up: x, y or z; guess: z for STL, else y',
-  ),
-  scale: row(
-    'F|none',
-    'none',
-    wordOr('none', decimal(0.000001, 1_000_000)),
-    'finished size as a factor on the size in the model’s unit',
-  ),
-  sheets: row('N|none', 'none', wordOr('none', whole(1, 1000)), 'as large as goes on N sheets'),
-  unit: row(
-    'NAME|guess',
-    'guess',
-    choice(['guess', 'mm', 'cm', 'm', 'in']),
-    'unit of the model: mm, cm, m or in',
-  ),
-  paper: row('SIZE', 'A4', paper, 'A2 to A5, Letter, Legal, Tabloid, 12x12in, or WxH in mm'),
-  orientation: row(
-    'NAME',
-    defaultOptions.orientation,
-    choice(['auto', 'portrait', 'landscape']),
-    'auto, portrait or landscape',
-  ),
-  margin: row('MM', defaultOptions.margin, decimal(0, 1000), 'margin that stays free'),
-  flaps: row(
-    'MM|none',
-    defaultOptions.flapHeight,
-    wordOr('none', decimal(1, 50)),
-    'height of flaps; lower ones where there is no room',
-  ),
-  'flap-angle': row(
-    'DEG',
-    defaultOptions.flapAngle,
-    decimal(10, 60),
-    'angle of their sides at the base, at most',
-  ),
-  'flap-side': row(
-    'NAME',
-    'one',
-    choice(['one', 'alternate', 'both']),
-    'one: the side with more room; alternate: in turn; both',
-  ),
-  'flap-borders': row(
-    'on|off',
+  segment: row('NAME', defaultOptions.segment, choice(['merge', 'spectral'])),
+  runs: row('N', defaultOptions.runs, whole(1, 65_535)),
+  proxy: row('N', defaultOptions.proxy, whole(0, manyFaces)),
+  seed: row('N', defaultOptions.seed, whole(0, 2 ** 32 - 1)),
+  faces: row('N|off', 'off', wordOr('off', whole(4, manyFaces))),
+  'fill-holes': row(
+    'PERCENT|all|off',
     'off',
-    choice(['on', 'off']),
-    'on: open borders of the model get flaps as well',
+    wordOr('all', wordOr('off', decimal(fillRange.least, fillRange.most))),
   ),
-  'glue-strips': row(
-    'NAME',
-    defaultOptions.glueStrips,
-    choice(['none', 'free', 'all']),
-    'loose strips for edges without a flap: none; free: where sheets have room; all: on further sheets, too',
-  ),
-  ids: row(
-    'NAME',
-    defaultOptions.ids,
-    choice(['inside', 'flap', 'both', 'outside', 'none']),
-    'where the numbers of cut edges go: on faces (inside), flaps (flap) or both, on flaps and what is cut off (outside), or none',
-  ),
-  'min-piece': row(
+  inside: row('keep|drop', 'keep', choice(['keep', 'drop'])),
+  folding: row('MODE', defaultOptions.folding, choice(['require', 'prefer', 'off'])),
+  clearance: row('F', defaultOptions.clearance, decimal(0.0001, 0.2)),
+  height: row('MM|none', 'none', wordOr('none', decimal(1, 100_000))),
+  width: row('MM|none', 'none', wordOr('none', decimal(1, 100_000))),
+  depth: row('MM|none', 'none', wordOr('none', decimal(1, 100_000))),
+  up: row('AXIS|guess', defaultOptions.up, choice(['guess', 'x', 'y', 'z'])),
+  scale: row('F|none', 'none', wordOr('none', decimal(0.000001, 1_000_000))),
+  sheets: row('N|none', 'none', wordOr('none', whole(1, 1000))),
+  unit: row('NAME|guess', 'guess', choice(['guess', 'mm', 'cm', 'm', 'in'])),
+  paper: row('SIZE', 'A4', paper),
+  orientation: row('NAME', defaultOptions.orientation, choice(['auto', 'portrait', 'landscape'])),
+  margin: row('MM', defaultOptions.margin, decimal(0, 1000)),
+  flaps: row('MM|none', defaultOptions.flapHeight, wordOr('none', decimal(1, 50))),
+  'flap-angle': row('DEG', defaultOptions.flapAngle, decimal(10, 60)),
+  'flap-style': row('NAME', defaultOptions.flapStyle, choice(['edge', 'run', 'zigzag'])),
+  'flap-side': row('NAME', 'one', choice(['one', 'alternate', 'both'])),
+  'flap-borders': row('on|off', 'off', choice(['on', 'off'])),
+  'glue-strips': row('NAME', defaultOptions.glueStrips, choice(['none', 'free', 'all'])),
+  ids: row('NAME', defaultOptions.ids, choice(['inside', 'flap', 'both', 'outside', 'none'])),
+  'min-piece': row('MM|off', 'off', wordOr('off', decimal(0.1, 1000))),
+  compact: row('on|off', 'on', choice(['on', 'off'])),
+  workers: row('N|auto', 'auto', wordOr('auto', whole(1, 64))),
+  lang: row('CODE', usualLanguage, choice(languages)),
+  'flat-fold': row('DEG', defaultPrint.flatFold, decimal(0, 180)),
+  style: row('NAME', defaultPrint.style, choice(['foldwright', 'pepakura', 'blender'])),
+  'cut-width': width(),
+  'cut-colour': colourOf(),
+  'mountain-width': width(),
+  'mountain-dash': dash(),
+  'mountain-colour': colourOf(),
+  'valley-width': width(),
+  'valley-dash': dash(),
+  'valley-colour': colourOf(),
+  'flap-colour': row('#RRGGBB|none|style', 'style', wordOr('style', wordOr('none', colour))),
+  'fold-ticks': row('on|off', 'off', choice(['on', 'off'])),
+  duplex: row('on|off', 'off', choice(['on', 'off'])),
+  'fold-angles': row('on|off', 'off', choice(['on', 'off'])),
+  thickness: row(
     'MM|off',
     'off',
-    wordOr('off', decimal(0.1, 1000)),
-    'bodies of the model that are smaller are not printed, and told',
+    wordOr('off', decimal(thicknessRange.least, thicknessRange.most)),
   ),
-  compact: row(
-    'on|off',
-    'on',
-    choice(['on', 'off']),
-    'on: nets with room for flaps, small outlines and strong necks; off: as they were found',
-  ),
-  workers: row(
-    'N|auto',
-    'auto',
-    wordOr('auto', whole(1, 64)),
-    'threads; auto: one per core, at most 4; any number gives the same result',
-  ),
-  'flat-fold': row(
-    'DEG',
-    defaultPrint.flatFold,
-    decimal(0, 180),
-    'folds flatter than this are not drawn',
-  ),
-  style: row(
-    'NAME',
-    defaultPrint.style,
-    choice(['foldwright', 'pepakura', 'blender']),
-    'how lines look: foldwright, pepakura or blender',
-  ),
-  'cut-width': width('cuts'),
-  'cut-colour': colourOf('cuts'),
-  'mountain-width': width('mountain folds'),
-  'mountain-dash': dash('mountain folds'),
-  'mountain-colour': colourOf('mountain folds'),
-  'valley-width': width('valley folds'),
-  'valley-dash': dash('valley folds'),
-  'valley-colour': colourOf('valley folds'),
-  'flap-colour': row(
-    '#RRGGBB|none|style',
-    'style',
-    wordOr('style', wordOr('none', colour)),
-    'what flaps are filled with',
-  ),
-  'fold-ticks': row(
-    'on|off',
-    'off',
-    choice(['on', 'off']),
-    'on: folds are marks of 3 mm at both ends, or a third of the fold, instead of lines across the picture',
-  ),
-  duplex: row(
-    'on|off',
-    'off',
-    choice(['on', 'off']),
-    'on: behind each sheet a page with its folds, mirrored, to print on both sides, turned along the long edge (PDF)',
-  ),
-  'fold-angles': row(
-    'on|off',
-    'off',
-    choice(['on', 'off']),
-    'print beside folds how far they fold',
-  ),
-  legend: row('on|off', 'on', choice(['on', 'off']), 'print once what lines and numbers mean'),
-  assembly: row(
-    'on|off',
-    'off',
-    choice(['on', 'off']),
-    'on: pages with a cover, a list of pieces and the steps to build the model (PDF, SVG, PNG)',
-  ),
+  legend: row('on|off', 'on', choice(['on', 'off'])),
+  assembly: row('on|off', 'off', choice(['on', 'off'])),
   measured: row(
     'XMM,YMM|off',
     'off',
     wordOr('off', pair(decimal(measurable.least, measurable.most))),
-    'what the printed rulers of 50 mm measure, across and up: corrects the printer’s scale',
   ),
-  machine: row(
-    'NAME',
-    defaultPrint.machine,
-    choice(['none', 'silhouette', 'cricut', 'generic']),
-    'for a cutting machine: lines to cut, score and draw in pure colours; none: for scissors',
-  ),
-  dpi: row(
-    'N',
-    defaultPrint.dpi,
-    whole(dpiRange.least, dpiRange.most),
-    'pixels to the inch of PNG files, and of the colours and pictures of the model in all files',
-  ),
-  texture: row(
-    'on|off|auto',
-    defaultPrint.texture,
-    choice(['on', 'off', 'auto']),
-    'print faces in the colours and pictures of the model; auto: where it has some, without --colour part',
-  ),
-  colour: row(
-    'NAME',
-    defaultPrint.colour,
-    choice(['part', 'none']),
-    'part: print each piece in the colour of its part, unless --texture on finds some in the model',
-  ),
-  'flap-bleed': row(
-    'NAME',
-    defaultPrint.flapBleed,
-    choice(['none', 'half', 'whole']),
-    'how much of a flap gets the colours of its face: none, half or whole',
-  ),
+  machine: row('NAME', defaultPrint.machine, choice(['none', 'silhouette', 'cricut', 'generic'])),
+  dpi: row('N', defaultPrint.dpi, whole(dpiRange.least, dpiRange.most)),
+  texture: row('on|off|auto', defaultPrint.texture, choice(['on', 'off', 'auto'])),
+  colour: row('NAME', defaultPrint.colour, choice(['part', 'none'])),
+  'flap-bleed': row('NAME', defaultPrint.flapBleed, choice(['none', 'half', 'whole'])),
 } satisfies Record<string, Row<unknown>>;
 
 export type Settings = {
@@ -305,15 +150,25 @@ function sizeOptions(settings: Settings): Pick<JobOptions, 'sizing' | 'size'> {
 
 function flapOptions(
   settings: Settings,
-): Pick<JobOptions, 'flapSide' | 'flapHeight' | 'flapAngle' | 'flapBorders' | 'glueStrips'> {
+): Pick<
+  JobOptions,
+  'flapSide' | 'flapHeight' | 'flapAngle' | 'flapStyle' | 'flapBorders' | 'glueStrips'
+> {
   const { flaps } = settings;
   return {
     flapSide: flaps === 'none' ? 'none' : settings['flap-side'],
     flapHeight: flaps === 'none' ? defaultOptions.flapHeight : flaps,
     flapAngle: settings['flap-angle'],
+    flapStyle: settings['flap-style'],
     flapBorders: settings['flap-borders'] === 'on',
     glueStrips: settings['glue-strips'],
   };
+}
+
+/** The widest holes that are filled, in percent. */
+function fillOption(wish: Settings['fill-holes']): number {
+  if (wish === 'off') return 0;
+  return wish === 'all' ? widestHole : wish;
 }
 
 /** The values among `values` that are not left to the style. */
@@ -339,10 +194,12 @@ export function printOptions(settings: Settings): PrintOptions {
       valley: kind(settings['valley-width'], settings['valley-colour'], settings['valley-dash']),
     },
     ...(flaps !== 'style' && { flaps }),
+    language: settings.lang,
     flatFold: settings['flat-fold'],
     foldTicks: settings['fold-ticks'] === 'on',
     duplex: settings.duplex === 'on',
     foldAngles: settings['fold-angles'] === 'on',
+    thickness: settings.thickness === 'off' ? defaultPrint.thickness : settings.thickness,
     legend: settings.legend === 'on',
     assembly: settings.assembly === 'on',
     measured: settings.measured === 'off' ? defaultPrint.measured : settings.measured,
@@ -370,6 +227,8 @@ export function jobOptions(settings: Settings): JobOptions {
     seed,
     faces: faces === 'off' ? 0 : faces,
     up: settings.up,
+    fillHoles: fillOption(settings['fill-holes']),
+    dropInner: settings.inside === 'drop',
     ...sizeOptions(settings),
     ...flapOptions(settings),
     // Edges, parts and pieces are chosen where they can be seen.

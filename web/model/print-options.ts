@@ -1,4 +1,5 @@
 /** How sheets are drawn: nothing here changes the nets, so a change needs no new search. */
+import { usualLanguage, type Language } from './languages.js';
 
 export type LineKind = 'cut' | 'mountain' | 'valley';
 
@@ -21,6 +22,8 @@ export type Machine = 'none' | 'silhouette' | 'cricut' | 'generic';
 export type FlapBleed = 'none' | 'half' | 'whole';
 
 export interface PrintOptions {
+  /** Of all words on the sheets, and of the pages that come with them. */
+  language: Language;
   style: PrintStyle;
   /** What differs from the style. */
   lines: Readonly<Partial<Record<LineKind, Partial<LineStyle>>>>;
@@ -34,6 +37,8 @@ export interface PrintOptions {
   duplex: boolean;
   /** Whether folds are told by how many degrees they are folded. */
   foldAngles: boolean;
+  /** Of the paper, mm; flaps are folded where its back comes to lie. */
+  thickness: number;
   /** Whether a legend is printed, once. */
   legend: boolean;
   /** Whether a cover, a list of pieces and the steps to build the model come with the sheets. */
@@ -59,16 +64,21 @@ export const rulerLength = 50;
 /** What a person can have measured; anything else is no printer's error. */
 export const measurable = { least: 45, most: 55 } as const;
 
+/** Of paper, mm: below, nobody would see what changes; above, nothing folds. */
+export const thicknessRange = { least: 0.05, most: 3 } as const;
+
 /** Below, lines are coarser than a pen's; above, no printer prints. */
 export const dpiRange = { least: 72, most: 1200 } as const;
 
 export const defaultPrint: Readonly<PrintOptions> = {
+  language: usualLanguage,
   style: 'foldwright',
   lines: {},
   flatFold: 3,
   foldTicks: false,
   duplex: false,
   foldAngles: false,
+  thickness: 0,
   legend: true,
   assembly: false,
   measured: [rulerLength, rulerLength],

@@ -8,7 +8,7 @@ export type StageSeconds = Record<Stage | 'fold' | 'total', number>;
 
 /** Seconds for each stage, from what makes them, and for the whole job. */
 export function stageSeconds(of: (stage: Stage) => number, total: number): StageSeconds {
-  const entries = stages.map(({ name }) => [name, of(name)]);
+  const entries = stages.map((stage) => [stage, of(stage)]);
   return { ...(Object.fromEntries(entries) as Record<Stage, number>), fold: 0, total };
 }
 

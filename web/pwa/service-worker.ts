@@ -35,12 +35,19 @@ async function keepFiles(): Promise<void> {
   }
 }
 
-/** A page of this build that is complete asks for it: no page of another one is left. */
-async function dropOtherBuilds(): Promise<void> {
+/**
+ * A page that is complete asks for it: if it is of this build, no page of another one is left.
+ *
+ * @param file address of a file of the page that has a hash in its name
+ */
+async function dropOtherBuilds(file: string): Promise<void> {
+  // The page of the build before asks, too, when this one takes over at that moment; while it is
+  // loaded anew it still needs its files.
+  if (!build.files.includes(file.slice(scope.length))) return;
   const names = await caches.keys();
   // One that is coming has its files among them already.
-  const { installing, waiting } = worker.registration;
-  if (installing || waiting) return;
+  const { installing, waiting, active } = worker.registration;
+  if (installing || waiting || active !== worker.serviceWorker) return;
   const others = names.filter((name) => name.startsWith(family) && name !== cacheName);
   await Promise.all(others.map((name) => caches.delete(name)));
 }
@@ -69,7 +76,8 @@ worker.addEventListener('activate', (event) => {
   event.waitUntil(worker.clients.claim());
 });
 worker.addEventListener('message', (event) => {
-  event.waitUntil(event.data === 'take over' ? takeOver() : dropOtherBuilds());
+  const { completePage } = event.data as { completePage?: string };
+  event.waitUntil(completePage === undefined ? takeOver() : dropOtherBuilds(completePage));
 });
 worker.addEventListener('fetch', (event) => {
   const { request } = event;

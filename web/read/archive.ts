@@ -44,8 +44,14 @@ export class Archive implements FileSource {
   private readonly limits = new FileLimits();
   private unpacked = 0;
 
-  /** @throws Unreadable if its list is damaged, or longer than any of a model */
-  constructor(private readonly file: ModelFile) {
+  /**
+   * @param entriesOf where to look for what is in it
+   * @throws Unreadable if its list is damaged, or longer than any of a model
+   */
+  constructor(
+    private readonly file: ModelFile,
+    private readonly entriesOf: (zip: ZipBytes) => Iterable<ZipEntry> = zipEntries,
+  ) {
     this.zip = new ZipBytes(file.bytes);
     this.guarded(() => this.list());
   }
@@ -64,9 +70,9 @@ export class Archive implements FileSource {
 
   private list(): void {
     let count = 0;
-    for (const entry of zipEntries(this.zip)) {
+    for (const entry of this.entriesOf(this.zip)) {
       if (++count > mostEntries) {
-        this.refuse({ what: 'too-large', excess: `more than ${mostEntries} files` });
+        this.refuse({ what: 'too-many', most: mostEntries });
       }
       const path = pathOf(entry);
       if (path !== null) this.entries.set(path, entry);
@@ -81,7 +87,7 @@ export class Archive implements FileSource {
     const isSwollen = this.unpacked > mostGrowth * this.file.bytes.length;
     if (isSwollen && this.unpacked > harmless) this.refuse({ what: 'bomb' });
     const excess = this.limits.add(size);
-    if (excess !== null) this.refuse({ what: 'too-large', excess });
+    if (excess !== null) this.refuse(excess);
   }
 
   private refuse(fault: ArchiveFault): never {

@@ -4,7 +4,7 @@ import type { ModelFile, ModelFiles } from '../model/model-files.js';
 import { Archive, isOfPerson } from './archive.js';
 import { Companions, sourceOf, type FileSource } from './companions.js';
 import { engineFile } from './engine-file.js';
-import { formatOf, isNamedForEngine, isPackage, modelPaths, type Format } from './format.js';
+import { formatOfFile, isPackage, modelPaths, modelsAmong, type Format } from './format.js';
 import { loaded } from './loading.js';
 import { companionsOf } from './named-files.js';
 import { notice, type ReaderTools, type ReadModel } from './read-model.js';
@@ -29,6 +29,10 @@ async function read(
     const { nets, ...rest } = readPdo(file);
     const usual = { up: 'y', unit: 'mm' } as const;
     return { name, companions: [], usual, ...rest, ...(nets && { nets }) };
+  }
+  if (format === 'fold') {
+    const { readFold } = await loaded(() => import('./fold/read-fold.js'));
+    return { name, companions: [], ...readFold(file) };
   }
   if (format === 'glb' || format === 'gltf') {
     const { readGltf } = await loaded(() => import('./gltf/read-gltf.js'));
@@ -56,7 +60,7 @@ async function readAmong(
 ): Promise<{ model: ReadModel; unused: string[] }> {
   const file = source.read(path);
   const companions = new Companions(source, path);
-  const model = await read(file, formatOf(file.bytes), companions, tools);
+  const model = await read(file, formatOfFile(file), companions, tools);
   return { model, unused: companions.unused };
 }
 
@@ -86,19 +90,14 @@ async function readArchive(file: ModelFile, tools: ReaderTools): Promise<ReadMod
  * @throws Unreadable for files that give no model
  */
 export async function readFiles(files: ModelFiles, tools: ReaderTools): Promise<ReadModel> {
-  const formats = files.map(({ bytes }) => formatOf(bytes));
-  const models = files.filter((file, i) => {
-    return isNamedForEngine(file) || (formats[i] !== null && formats[i] !== 'zip');
-  });
+  const models = modelsAmong(files);
   if (models.length > 1) throw severalModels(models.map(({ name }) => name));
   if (models.length === 1) {
     const { model, unused } = await readAmong(sourceOf(files), models[0]!.name, tools);
     return { ...model, notices: [...model.notices, ...ignored(unused)] };
   }
-  if (files.every((_, i) => formats[i] !== 'zip')) {
-    throw unreadable('no-model', { count: files.length });
-  }
-  const archives = files.filter((_, i) => formats[i] === 'zip');
+  const archives = files.filter((file) => formatOfFile(file) === 'zip');
+  if (archives.length === 0) throw unreadable('no-model', { count: files.length });
   if (archives.length !== 1) throw severalModels(archives.map(({ name }) => name));
   return readArchive(archives[0]!, tools);
 }

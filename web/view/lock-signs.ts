@@ -4,6 +4,8 @@ import { shape } from './svg-shape.js';
 export interface LockSign {
   /** Whether the edge is always a fold, or always cut. */
   as: 'fold' | 'cut';
+  /** Says so. */
+  title: string;
   from: readonly [x: number, y: number];
   to: readonly [x: number, y: number];
 }
@@ -16,13 +18,13 @@ const share = 0.5;
 const body = 'M-4 -1h8v6h-8z';
 const shackle = 'M-2.4 -1v-1.6a2.4 2.4 0 0 1 4.8 0v1.6';
 
-function drawSign({ as, from, to }: LockSign, height: number): SVGElement {
+function drawSign({ as, title: told, from, to }: LockSign, height: number): SVGElement {
   const [x1, y1, x2, y2] = [from[0], height - from[1], to[0], height - to[1]];
   const size = Math.min(largest, share * Math.hypot(x2 - x1, y2 - y1)) / 10;
   const place = `translate(${(x1 + x2) / 2} ${(y1 + y2) / 2}) scale(${size})`;
   const sign = shape('g', { transform: place, class: `lock-sign lock-sign--${as}` });
   const title = shape('title', {});
-  title.textContent = as === 'fold' ? 'Never cut' : 'Always cut';
+  title.textContent = told;
   sign.append(title, shape('path', { d: shackle, fill: 'none' }), shape('path', { d: body }));
   return sign;
 }

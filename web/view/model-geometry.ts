@@ -14,6 +14,8 @@ export interface Extent {
   up: number;
   /** Farthest from the axis. */
   reach: number;
+  /** How much nearer than the middle that is seen which fills the view. */
+  near: number;
   /** Whether it is longer from front to back than across. */
   deep: boolean;
 }
@@ -116,24 +118,6 @@ export function extentOf(positions: Float32Array, height: number): Extent {
     halfWidth = Math.max(halfWidth, Math.abs(x));
     halfDepth = Math.max(halfDepth, Math.abs(z));
   }
-  return { up, reach, deep: halfDepth > halfWidth };
-}
-
-/**
- * How much room things take for someone who does not turn them.
- *
- * @param positions 3 per corner, around the origin
- * @param height as for `extentOf`
- * @param around angle in radians from which they are seen, around the upright axis
- */
-export function extentSeen(positions: Float32Array, height: number, around: number): Extent {
-  const [sine, cosine] = [Math.sin(around), Math.cos(around)];
-  let [up, reach] = [0, 0];
-  for (let i = 0; i < positions.length; i += 3) {
-    const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
-    const nearer = x * sine + z * cosine;
-    up = Math.max(up, Math.abs(y * Math.cos(height) - nearer * Math.sin(height)));
-    reach = Math.max(reach, Math.abs(x * cosine - z * sine));
-  }
-  return { up, reach, deep: false };
+  // Little of a model is at its very front.
+  return { up, reach, near: reach / 3, deep: halfDepth > halfWidth };
 }

@@ -3,10 +3,18 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import { nextCorner } from './edge-lines.js';
+import type { MarkKind } from './sheet-marks.js';
 
 /** The colours that the same edges have on the sheets: the side that is meant, and the other one. */
 const own = new Color('#ad381e').toArray();
 const partner = new Color('#0072b2').toArray();
+
+/** What a building step is about, as on the sheets. */
+const kindColours: Readonly<Record<MarkKind, readonly number[]>> = {
+  turn: own,
+  seam: new Color('#6c747d').toArray(),
+  border: partner,
+};
 
 /** Pixels: wider than the lines between parts, on a white line that keeps them apart from any colour of a part. */
 const [width, groundWidth] = [5, 9];
@@ -32,6 +40,7 @@ export class ModelLights {
   /** The corner at which a face begins to walk an edge, by the vertices of the edge; made for the first light. */
   private corners: Map<string, number> | null = null;
   private edges: Int32Array = new Int32Array();
+  private kinds: readonly MarkKind[] = [];
   private isStale = false;
   private wasWhole = true;
 
@@ -48,9 +57,13 @@ export class ModelLights {
     this.show(new Int32Array());
   }
 
-  /** Lights edges in place of those before; 2 vertices each, in the order of the side that is meant. */
-  show(edges: Int32Array): void {
+  /**
+   * Lights edges in place of those before; 2 vertices each, in the order of the side that is meant. With `kinds`, one
+   * for each edge, both sides have the colour of their kind.
+   */
+  show(edges: Int32Array, kinds: readonly MarkKind[] = []): void {
     this.edges = edges;
+    this.kinds = kinds;
     this.isStale = true;
   }
 
@@ -76,8 +89,9 @@ export class ModelLights {
     for (let at = 0; at < this.edges.length; at += 2) {
       const [v, w] = [this.edges[at]!, this.edges[at + 1]!];
       const [here, there] = [this.cornerOf(v, w), this.cornerOf(w, v)];
-      add(here ?? there, own);
-      if (here !== undefined && !isWhole) add(there, partner);
+      const kind = this.kinds[at / 2];
+      add(here ?? there, kind ? kindColours[kind] : own);
+      if (here !== undefined && !isWhole) add(there, kind ? kindColours[kind] : partner);
     }
     const geometry = new LineSegmentsGeometry().setPositions(points).setColors(colours);
     this.lines[0]!.geometry.dispose();

@@ -17,6 +17,9 @@ import { flatMesh } from './model-geometry.js';
 /** Lines along borders and cuts. */
 const ink = '#232a31';
 
+/** Of faces that are seen through: two of them in front of a third leave enough of it. */
+const glassOpacity = 0.4;
+
 /** The faces of a model and the lines between its parts, in the hands of the graphics card. */
 export class ModelMesh {
   readonly group = new Group();
@@ -65,6 +68,14 @@ export class ModelMesh {
 
   set hatched(hatched: boolean) {
     this.material.hatched = hatched;
+  }
+
+  /** Lets what lies inside be seen through the faces. */
+  set glass(glass: boolean) {
+    this.material.transparent = glass;
+    this.material.opacity = glass ? glassOpacity : 1;
+    this.material.depthWrite = !glass;
+    this.material.needsUpdate = true;
   }
 
   /** Takes another model, as blank paper. 3 numbers per vertex and face. */

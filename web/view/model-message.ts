@@ -2,6 +2,7 @@ import type { Model, Piece } from '../model/job.js';
 import type { Looks } from '../model/looks.js';
 import type { ModelFile } from '../model/model-files.js';
 import type { Vector } from '../model/vector.js';
+import type { MarkKind } from './sheet-marks.js';
 
 /** Why a place is pointed at: a mouse is over it, or it is clicked, alone or to add to what is chosen. */
 export type Pointing = 'over' | 'choose' | 'add';
@@ -26,14 +27,15 @@ export interface Folding {
 /** What a picture of a model is told, in plain data: another thread may be the one that draws. */
 export type ModelMessage =
   /**
-   * Another model, as blank paper, from the first point of view unless that of the model before stays. 3 numbers
-   * per vertex and face.
+   * Another model, as blank paper or as glass that shows what lies inside, from the first point of view unless that of
+   * the model before stays. 3 numbers per vertex and face.
    */
   | {
       type: 'model';
       vertices: Float32Array | Float64Array;
       faces: Int32Array;
       keepsView?: boolean;
+      isGlass?: boolean;
     }
   /** The parts of the faces; -1 is blank paper. Those of another model are ignored. */
   | { type: 'labels'; labels: Int32Array }
@@ -44,6 +46,8 @@ export type ModelMessage =
    * meant. `from`: a direction from which the model is looked at then, as long as it is whole.
    */
   | { type: 'lights'; edges: Int32Array; from: Vector | null }
+  /** Edges that a building step is about, in place of those before, as for `lights`, and why for each of them. */
+  | { type: 'step'; edges: Int32Array; kinds: readonly MarkKind[] }
   /** Which face is seen at a place, from -1 to 1 to the right and up? Every question is answered. */
   | { type: 'point'; x: number; y: number; why: Pointing }
   /** Faces that are lit, in place of those before. Those of another model are ignored. */

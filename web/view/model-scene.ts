@@ -32,6 +32,7 @@ export class ModelScene {
   private readonly orbit = new Orbit(this.camera);
   private readonly mesh = new ModelMesh();
   private readonly lights = new ModelLights();
+  private readonly stepLights = new ModelLights();
   private readonly brush = new Brush({
     faceAt: (x, y) => this.faceAt(x, y),
     partOf: (face) => this.mesh.partOf(face),
@@ -45,6 +46,8 @@ export class ModelScene {
   /** How far the pieces are, and how far they are to be. */
   private time = 1;
   private wantedTime = 1;
+  /** Whether the pieces were turned since they moved. */
+  private isTurned = false;
   private visible = false;
   private turning = false;
   /** Turning all the time without a graphics card would make a run a fifth longer. */
@@ -68,7 +71,7 @@ export class ModelScene {
     // The light stays at the beholder's shoulder, so that no side is ever dark.
     this.camera.add(sun, sun.target);
     this.scene.add(this.camera, new HemisphereLight('#ffffff', '#b8a98c', 1.5));
-    this.scene.add(this.mesh.group, this.lights.group);
+    this.scene.add(this.mesh.group, this.lights.group, this.stepLights.group);
     // Now, so that the first model does not have to wait for it.
     this.renderer.compile(this.scene, this.camera);
     canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
@@ -87,6 +90,9 @@ export class ModelScene {
         break;
       case 'lights':
         this.light(message);
+        break;
+      case 'step':
+        this.stepLights.show(message.edges, message.kinds);
         break;
       case 'point':
         this.pick(message);
@@ -112,6 +118,7 @@ export class ModelScene {
       case 'turn':
         this.turning = false;
         this.orbit.turn(message);
+        this.isTurned = true;
         break;
       case 'folding':
         this.folding = message;
@@ -137,10 +144,17 @@ export class ModelScene {
     this.renderer.forceContextLoss();
   }
 
-  private show({ vertices, faces, keepsView }: Extract<ModelMessage, { type: 'model' }>): void {
+  private show({
+    vertices,
+    faces,
+    keepsView,
+    isGlass = false,
+  }: Extract<ModelMessage, { type: 'model' }>): void {
     this.looks.show(null);
     this.mesh.show(vertices, faces);
+    this.mesh.glass = isGlass;
     this.lights.take(faces);
+    this.stepLights.take(faces);
     this.folding = this.stage = null;
     this.time = this.wantedTime = 1;
     if (!keepsView) this.orbit.reset(extentOf(this.mesh.positions, viewHeight));
@@ -182,9 +196,10 @@ export class ModelScene {
     this.stage ??= new FoldingStage(this.folding);
     // Whoever unfolds the model sees the table from the front, wherever the model was seen from.
     if (this.time === 1) {
-      this.stage.turnTable(this.orbit.around);
+      this.stage.turnTable(this.orbit);
       this.mesh.lineCuts(this.stage.netVertices);
-    }
+    } else if (this.isTurned) this.stage.lookFrom(this.orbit);
+    this.isTurned = false;
     this.time = this.wantedTime;
     if (this.time === 1) this.mesh.lineBorders();
     const { positions, normals } = this.mesh;
@@ -222,7 +237,8 @@ export class ModelScene {
     if (!this.visible) return;
     this.fold();
     this.looks.update(this.time === 1);
-    this.lights.place(this.mesh.positions, this.time === 1);
+    for (const lights of [this.lights, this.stepLights])
+      lights.place(this.mesh.positions, this.time === 1);
     this.renderer.render(this.scene, this.camera);
   }
 }

@@ -1,6 +1,7 @@
 import type { NetPicture } from '../model/job.js';
 import { partColour } from '../model/part-colours.js';
 import type { Context2d } from './context-2d.js';
+import { boxAround } from './flat-net.js';
 import { hatchFill } from './hatch-tile.js';
 import { partHatch } from './part-hatches.js';
 
@@ -24,7 +25,8 @@ export interface PaintedNet {
   hatched: boolean;
 }
 
-interface Placing {
+/** A net's own origin in CSS pixels, with y down. */
+export interface Placing {
   scale: number;
   x: number;
   y: number;
@@ -32,19 +34,13 @@ interface Placing {
 
 /** Places the net in the middle, as large as fits, with y down. */
 function placeNet(corners: Float32Array, width: number, height: number): Placing {
-  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (let i = 0; i < corners.length; i += 2) {
-    left = Math.min(left, corners[i]!);
-    right = Math.max(right, corners[i]!);
-    low = Math.min(low, corners[i + 1]!);
-    high = Math.max(high, corners[i + 1]!);
-  }
+  const box = boxAround(corners);
   const room = (length: number, extent: number): number => (length - 2 * margin) / (extent || 1);
-  const scale = Math.min(room(width, right - left), room(height, high - low));
+  const scale = Math.min(room(width, box.width), room(height, box.height));
   return {
     scale,
-    x: width / 2 - (scale * (left + right)) / 2,
-    y: height / 2 + (scale * (low + high)) / 2,
+    x: width / 2 - scale * (box.left + box.width / 2),
+    y: height / 2 + scale * (box.low + box.height / 2),
   };
 }
 
@@ -69,16 +65,21 @@ function facePaths(
   return { ofParts, overlapping };
 }
 
-/** Draws a net into a canvas of this size: faces in the colours of their parts, overlaps in red. */
+/** Draws a net as large as fits into a canvas of this size. */
 export function drawNet(
   context: Context2d,
   width: number,
   height: number,
   painted: PaintedNet,
 ): void {
-  const { net, parts, hatched } = painted;
-  if (parts.length === 0) return;
-  const { ofParts, overlapping } = facePaths(painted, placeNet(net.corners, width, height));
+  if (painted.parts.length === 0) return;
+  paintNet(context, painted, placeNet(painted.net.corners, width, height));
+}
+
+/** Paints a net: faces in the colours of their parts, overlaps in red. */
+export function paintNet(context: Context2d, painted: PaintedNet, placing: Placing): void {
+  const { parts, hatched } = painted;
+  const { ofParts, overlapping } = facePaths(painted, placing);
   context.lineJoin = 'round';
   // The more faces, the thinner their edges, or a large net would be all ink.
   const thin = Math.min(1, Math.sqrt(manyFaces / parts.length));

@@ -19,8 +19,8 @@ const air = 1.1;
 
 /** Keeps a camera looking at the model and moves it around. */
 export class Orbit {
-  private extent: Extent = { up: 1, reach: 1, deep: false };
-  private aspect = 1;
+  private extent: Extent = { up: 1, reach: 1, near: 0, deep: false };
+  private shape = 1;
 
   constructor(private readonly camera: PerspectiveCamera) {}
 
@@ -29,15 +29,20 @@ export class Orbit {
     this.extent = extent;
     const around = extent.deep ? Math.PI / 2 - sideways : sideways;
     this.place(new Spherical(distance, Math.PI / 2 - viewHeight, around));
-    this.fit(this.aspect);
+    this.fit(this.shape);
+  }
+
+  /** Width over height of the view. */
+  get aspect(): number {
+    return this.shape;
   }
 
   /** Lets the model fill a view of this shape, from whichever side it is seen. */
   fit(aspect: number): void {
-    this.aspect = aspect;
-    const { up, reach } = this.extent;
-    // What is nearer than the middle looks larger; little of a model is at its very front.
-    const half = Math.max(up, reach / aspect) / (distance - reach / 3);
+    this.shape = aspect;
+    const { up, reach, near } = this.extent;
+    // What is nearer than the middle looks larger.
+    const half = Math.max(up, reach / aspect) / (distance - near);
     this.camera.aspect = aspect;
     this.camera.fov = (2 * Math.atan(air * half) * 180) / Math.PI;
     this.camera.updateProjectionMatrix();
@@ -46,12 +51,17 @@ export class Orbit {
   /** Lets something of another extent fill the view, from where it is seen now. */
   frame(extent: Extent): void {
     this.extent = extent;
-    this.fit(this.aspect);
+    this.fit(this.shape);
   }
 
   /** From where it is seen now, as an angle in radians around the upright axis. */
   get around(): number {
     return new Spherical().setFromVector3(this.camera.position).theta;
+  }
+
+  /** The same above the horizon. */
+  get height(): number {
+    return Math.PI / 2 - new Spherical().setFromVector3(this.camera.position).phi;
   }
 
   /** Looks from this direction at the middle, as far away as now. */

@@ -1,5 +1,5 @@
+import { english } from './en/index.js';
 import type { OptionFault } from './messages.js';
-import { optionWords } from './en-options.js';
 
 /** An option that there is not, or a value that it does not take: `params` are for programs, the message for people. */
 export class BadOption extends Error {
@@ -7,6 +7,6 @@ export class BadOption extends Error {
   readonly code = 'bad-option';
 
   constructor(readonly params: OptionFault) {
-    super(optionWords(params));
+    super(english.optionFault(params));
   }
 }

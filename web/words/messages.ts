@@ -3,6 +3,7 @@
  * the programs around it. Where a code has several sentences, `what` says which.
  */
 
+import type { FileExcess } from '../model/model-files.js';
 import type { ValueFault } from '../model/option-values.js';
 import type { PixelExcess } from '../model/pixels.js';
 
@@ -65,17 +66,28 @@ export interface EngineMessages {
   'closed-t-junctions': Counted;
   'crossing-bodies': Counted;
   'crossings-unchecked': Counted;
+  'counts-from-zero': Counted;
   'cut-nonorientable': Counted;
+  'cut-off': Counted & Partial<At>;
+  'decimal-commas': Counted;
   'dropped-degenerate-faces': Counted;
   'dropped-duplicate-faces': Counted;
+  /** And of how many faces of the file they are made. */
+  'dropped-inner-bodies': Counted & { faces: number };
+  'dropped-misnumbered-faces': Counted & At;
+  'dropped-placeless-faces': Counted & At;
   'dropped-unused-vertices': Counted;
+  'filled-holes': Counted;
   'flattened-faces': Counted & { distance: number };
   'flipped-faces': Counted;
   'halved-edges': Counted;
   'ignored-elements': Counted & { points: number; lines: number; curves: number; surfaces: number };
+  'inner-bodies': Counted;
   'merged-two-sided': Counted;
   'missing-endsolid': Counted;
   'open-border': (Counted & { gap: number; what?: never }) | { what: 'edge' };
+  /** How wide the widest is, how many are small, and what that means: in percent of the model's longest side. */
+  'open-holes': Counted & { percent: number; small: number; small_percent: number };
   'other-format': { ending: string; format: string };
   'self-crossing-bodies': Counted;
   'split-nonmanifold-edges': Counted;
@@ -83,6 +95,7 @@ export interface EngineMessages {
   'trailing-bytes': Counted;
   'trailing-lines': Counted;
   'triangulated-polygons': Counted;
+  'unfilled-holes': Counted;
   'welded-vertices': Counted;
   'wrong-count': Counted & { announced: number };
 
@@ -96,7 +109,9 @@ export interface EngineMessages {
   'bad-option':
     | { what: 'height' | 'width' | 'depth' | 'scale' | 'paper' | 'pin-sheet'; most: number }
     | { what: 'parts' | 'proxy' | 'faces' | 'margin'; least: number }
-    | Bounded<'sheets' | 'flaps' | 'flap-height' | 'flap-angle' | 'runs' | 'clearance'>
+    | Bounded<
+        'sheets' | 'flaps' | 'flap-height' | 'flap-angle' | 'runs' | 'clearance' | 'fill-holes'
+      >
     | { what: 'names-of-part' | 'pin-piece' | 'pin-place' }
     | { what: 'name-control' | 'name-colon' | 'name-length' | 'name-number' }
     | { what: 'same-name'; name: string }
@@ -166,9 +181,7 @@ export interface EngineMessages {
 
 /** Why an archive gives no files. */
 export type ArchiveFault =
-  | { what: 'damaged' | 'bomb' }
-  | { what: 'locked' | 'method'; entry: string }
-  | { what: 'too-large'; excess: string };
+  { what: 'damaged' | 'bomb' } | { what: 'locked' | 'method'; entry: string } | FileExcess;
 
 /** Why a glTF file gives no model. */
 export type GltfFault =
@@ -193,12 +206,39 @@ export type PdoFault =
   /** At which byte. */
   | { what: 'damaged'; at: number };
 
+/**
+ * Why a FOLD file gives no model. Frames and entries of lists count from 0, as in the format: frame 0 is the key frame,
+ * and frame 1 the first of `file_frames`.
+ */
+export type FoldFault =
+  /** What there is in place of a model in space. */
+  | { what: 'pattern' | 'flat' | 'nothing' }
+  | { what: 'cut-off' | 'no-object' }
+  | { what: 'word'; line: number; character: number; word: string }
+  | { what: 'no-frame'; frame: number }
+  | { what: 'missing' | 'type' | 'times'; frame: number; key: string }
+  | { what: 'length'; frame: number; key: string; length: number; expected: number }
+  | ({ frame: number; key: string; entry: number } & FoldEntryFault);
+
+/** What is wrong with an entry of a list in a FOLD file. */
+export type FoldEntryFault =
+  | { what: 'number' | 'letter' }
+  | { what: 'numbers'; width: number }
+  | { what: 'list'; least: number }
+  | { what: 'index'; index: number; count: number }
+  | { what: 'twice'; index: number };
+
+/** Why a project cannot be opened. */
+export type ProjectFault = { what: 'damaged' } | { what: 'newer'; version: number };
+
 /** Parameters by the codes of what is found in TypeScript. */
 export interface OwnMessages {
   'bad-3mf': { file: string } & ThreeMfFault;
   'bad-archive': { file: string } & ArchiveFault;
+  'bad-fold': { file: string } & FoldFault;
   'bad-gltf': { file: string } & GltfFault;
   'bad-pdo': { file: string } & PdoFault;
+  'bad-project': { file: string } & ProjectFault;
   'missing-files': { file: string; missing: string[] };
   'reader-not-loaded': None;
   'no-model-in-archive': { file: string; files: string[] };
@@ -221,6 +261,7 @@ export interface OwnMessages {
   'file-nets-kept': { pieces: number; uncut: number; size: 'file' | 'other' };
   'file-nets-lost': { what: 'none' | 'simplified' | 'repaired' | 'flat' };
   'file-nets-unused': { pieces: number };
+  'fold-nets-unused': { pieces: number };
   'pdo-unused': { hidden: number; texts: number; images: number };
   'posed-skins': Counted;
   'unknown-extensions': { names: string[] };
@@ -232,7 +273,14 @@ export interface OwnMessages {
     instances: number;
   };
 
+  'project-damaged':
+    | { what: 'document' }
+    | { what: 'files'; files: string[] }
+    | ({ what: 'edits' | 'refused' } & Counted);
+  'project-options-lost': { options: string[] };
+  'project-redrawn': None;
   'engine-died': { reason: string; times?: number };
+  'edit-place-gone': { what: 'edge' | 'faces' | 'part' | 'piece' };
   overtaken: None;
   'no-piece': { piece: number; pieces: number };
   'not-pinned': { piece: number };

@@ -1,5 +1,5 @@
+import { cornersOf, NearestFace, normalAt } from '../../model/nearest-face.js';
 import type { PaintPlan } from './paint-plan.js';
-import { cornersOf, NearestFace, normalAt } from './nearest-face.js';
 import { SurfaceLook, type Surface } from './surface-look.js';
 
 /** The colour of a face at shares of its second and third corner; the array is used again. */

@@ -1,0 +1,28 @@
+# The WASM module is fetched before anything runs, so its size counts, too: what takes hardly any of a job's time is
+# compiled to be small. Learning, searches, folding, flaps and packing are not.
+
+if(NOT EMSCRIPTEN)
+  return()
+endif()
+
+set(cpp "${PROJECT_SOURCE_DIR}/cpp")
+file(GLOB small_sources CONFIGURE_DEPENDS
+  "${cpp}/mesh/*.cpp" "${cpp}/paper/*.cpp" "${cpp}/pipeline/*.cpp" "${cpp}/read/*.cpp" "${cpp}/repair/*.cpp"
+  "${cpp}/segment/*.cpp")
+
+# Where jobs spend their time.
+set(fast_in_mesh nearest_face simplify surface_tree)
+set(fast_in_paper craft_cost craft_sides flap_cover flap_room flaps label_space packing raster room_profile silhouette)
+set(fast_in_segment affinity analyze_unfolding concave_geodesic foldability k_means min_cut smooth_borders)
+foreach(folder mesh paper segment)
+  list(TRANSFORM fast_in_${folder} REPLACE ".+" "${cpp}/${folder}/\\0.cpp")
+  list(REMOVE_ITEM small_sources ${fast_in_${folder}})
+endforeach()
+
+# Loops over all of a file, or a matrix: still vectorised, and a model of a million triangles is read in seconds.
+set(loops ${small_sources})
+list(FILTER loops INCLUDE REGEX "/(read|repair)/|/spectral")
+list(REMOVE_ITEM small_sources ${loops})
+
+set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS -Oz)
+set_source_files_properties(${loops} PROPERTIES COMPILE_OPTIONS -Os)

@@ -1,0 +1,7 @@
+/** Absolute addresses of what a browser's worker loads; its name is the JSON of them. */
+export interface WorkerAddresses {
+  /** The engine. */
+  wasm: string;
+  /** The decoder of Draco. */
+  draco: string;
+}
