@@ -125,20 +125,18 @@ export class Studio extends Panel {
     });
     new Splitter(place);
     this.layout = new SceneLayout(place, (page) => listener.onPage(page));
-    this.edges = new EdgeTool(place, this.store, {
-      light: (lights) => sheets.light(lights),
-      lock: (signs) => sheets.lock(signs),
+    this.edges = new EdgeTool(place, this.store, sheets, {
       lightModel: (lit, from) => this.workshop.light(lit, from),
-      reveal: (sheet) => sheets.reveal(sheet),
       change: (edit) => this.edit(this.store.apply([edit]), (run) => this.done(run)),
       alone: () => this.pieces.close(),
       findOther: (name) => this.pieces.findNamed(name),
     });
     this.pieces = new PieceTool(place, this.store, sheets, {
       lightFaces: (faces) => this.workshop.lightFaces(faces),
-      change: (edit, words) =>
-        this.edit(this.store.apply([edit]), (run) => words ?? this.done(run)),
+      change: (edits, words) =>
+        this.edit(this.store.apply(edits), (run) => words ?? this.done(run)),
       alone: () => this.edges.close(),
+      isTaken: (at, isFinger) => this.edges.holdsFlap(at, isFinger),
     });
     this.workshop = new Workshop(place, {
       point: ({ face, why }) => {
