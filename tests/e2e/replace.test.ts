@@ -57,11 +57,11 @@ test('the same surface in another file keeps all edits, and one undo brings the 
       vertices: [...ring.vertices].reverse(),
       faces: ring.faces.map((face) => face.map((vertex) => last - vertex)),
     };
-    await replace(studio, 'ring-2.obj', objText(turned));
-    await studio.resultOf('ring-2');
+    await replace(studio, 'other.obj', objText(turned));
+    await studio.resultOf('other');
     expect(await page.locator('#message').isHidden()).toBe(true);
     expect(await nameField(page).inputValue()).toBe('Head');
-    expect(await page.locator('#chosen').innerText()).toBe('Chosen: ring-2.obj');
+    expect(await page.locator('#chosen').innerText()).toBe('Chosen: other.obj');
     await studio.picture('replaced');
 
     await page.getByRole('button', { name: 'Undo: replacing the model' }).click();
@@ -69,7 +69,7 @@ test('the same surface in another file keeps all edits, and one undo brings the 
     expect(await page.locator('#chosen').innerText()).toBe('Chosen: ring.obj');
     expect(await page.locator('#undo').innerText()).toBe('Undo: name of part 1');
     await page.getByRole('button', { name: 'Redo: replacing the model' }).click();
-    await studio.resultOf('ring-2');
+    await studio.resultOf('other');
     expect(studio.complaints).toEqual([]);
   }));
 

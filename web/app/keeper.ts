@@ -124,7 +124,7 @@ export class Keeper {
   /** Takes note of what is on the page, if that is not saved. */
   private note(): void {
     const { run, document } = this.store;
-    if (!run || !document || run === this.savedRun) return;
+    if (!run || !document || run === this.savedRun || !isOf(document, run)) return;
     if (this.isNew(run)) {
       this.saveNoted();
       this.take(run);
@@ -200,6 +200,12 @@ export class Keeper {
     const labels = how.run?.result.labels ?? null;
     Object.assign(entry, { kept: outcome.kept, hasFiles: true, keys, labels });
   }
+}
+
+/** Whether a document is at the result of a run: an undo is in the document before it is on the page. */
+function isOf({ states, cursor }: Project, { result }: FinishedRun): boolean {
+  const state = states[cursor];
+  return !state || state.hash === result.hash;
 }
 
 /** Null where the one that is there shows the same. */
