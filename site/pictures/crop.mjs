@@ -39,15 +39,22 @@ export function windowOf(result, shown) {
   return typeof shown === 'string' ? places[shown](sheet) : aboutPlace(result, shown);
 }
 
+/** Pixels to a millimetre, and how wide a picture is at least: what is seen from near shall be large. */
+const [usualZoom, leastPixels] = [4, 352];
+
 const short = (value) => Number(value.toFixed(2));
 
 /** A window of a sheet that was written as SVG, on white paper. */
 export function cropped(svg, [left, top, width, height]) {
   const box = [left, top, width, height].map(short).join(' ');
   const [w, h] = [short(width), short(height)];
+  const zoom = Math.max(usualZoom, leastPixels / width);
   const opened = svg.replace(/ width="[^"]*" height="[^"]*" viewBox="[^"]*"/, '');
   return opened
-    .replace('<svg ', `<svg width="${4 * w}" height="${4 * h}" viewBox="${box}" `)
+    .replace(
+      '<svg ',
+      `<svg width="${short(zoom * w)}" height="${short(zoom * h)}" viewBox="${box}" `,
+    )
     .replace(
       /(<svg [^>]*>)/,
       `$1<rect x="${left}" y="${top}" width="${w}" height="${h}" fill="#fff"/>`,

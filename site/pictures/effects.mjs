@@ -11,8 +11,8 @@ const near = { at: [0.5, 0.5], size: [66, 44] };
 const flap = { at: [0.3, 0.8], size: [36, 24] };
 
 /** Of the drum: the rim of a lid, and some folds of its wall. */
-const rim = { at: [0.16, 0.88], size: [36, 24] };
-const wall = { at: [0.36, 0.45], size: [36, 24] };
+const rim = { at: [0.08, 0.93], size: [36, 24] };
+const wall = { at: [0.5, 0.45], size: [48, 32] };
 
 export const scenes = {
   box: { model: 'box', options: { height: 40 } },
@@ -85,7 +85,7 @@ export const effects = {
   thickness: shows('box', ['off', 1.5], flap),
   legend: shows('box', ['on', 'off'], 'foot'),
   assembly: shows('rabbit', ['off', 'on'], 'sheet'),
-  measured: shows('box', ['off', '47,50'], 'ruler'),
+  measured: shows('box', ['off', '49,50'], 'ruler'),
   machine: shows('box', ['none', 'silhouette', 'cricut'], 'head'),
   dpi: 'It is the number of dots of pictures; lines of SVG and PDF files have none.',
   texture: shows('painted', ['on', 'off']),

@@ -1,5 +1,7 @@
 /** Every example for a shell does what it says: those of a page one after the other, in one folder. */
+import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
+import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { inFolder } from '../web/command.js';
 import { run } from '../web/packed.js';
@@ -17,12 +19,22 @@ async function shell(folder: string, code: string, more: NodeJS.ProcessEnv = {})
   return stdout;
 }
 
+/** Files and folders that an example says it makes, and has not; several sheets are several files. */
+function missingOutputs(folder: string, code: string): string[] {
+  const named = [...code.matchAll(/\s(?:-o|--report|--out) (\S+)/g)].map(([, name]) => name!);
+  const first = (name: string): string => name.replace(/(\.\w+)$/, '-1$1');
+  return named.filter(
+    (name) => ![name, first(name)].some((path) => existsSync(join(folder, path))),
+  );
+}
+
 describe.each(byPage)('examples of %s', (_, ofPage) => {
   test(ofPage.map(({ line, code }) => `line ${line}: ${code.split('\n')[0]}`).join('; '), () =>
     inFolder(async (folder) => {
       await fillShop(folder);
       for (const { name, code } of ofPage) {
         await expect(shell(folder, code), name).resolves.toBeTypeOf('string');
+        expect(missingOutputs(folder, code), name).toEqual([]);
       }
     }),
   );
@@ -45,6 +57,6 @@ test.each(examplesOf('yaml'))('the command line in $name', ({ code }) =>
     await fillShop(folder);
     const command = foldedCommand(code).replaceAll('/catalogue', folder);
     await shell(folder, command, { JOB_COMPLETION_INDEX: '0' });
-    await rm(folder + '/nets', { recursive: true });
+    await rm(join(folder, 'nets'), { recursive: true });
   }),
 );
