@@ -50,6 +50,15 @@ function wrapTables(markdown) {
   rules.table_close = () => '</table></div>\n';
 }
 
+/** A heading without words is none: the cell above a column that explains itself is a plain one. */
+function emptyHeadings({ tokens }) {
+  tokens.forEach((token, i) => {
+    if (token.type !== 'th_open' || tokens[i + 1].content !== '') return;
+    token.tag = 'td';
+    tokens[i + 2].tag = 'td';
+  });
+}
+
 /** Code scrolls by itself, too. */
 function keyboardCode(markdown) {
   const { rules } = markdown.renderer;
@@ -62,6 +71,7 @@ export function markdownLibrary() {
   const markdown = new MarkdownIt({ html: true });
   markdown.core.ruler.push('name-headings', nameHeadings);
   markdown.core.ruler.push('resolve-links', resolveLinks);
+  markdown.core.ruler.push('empty-headings', emptyHeadings);
   wrapTables(markdown);
   keyboardCode(markdown);
   return markdown;
