@@ -12,13 +12,13 @@ const steps = [
   {
     // The pictures show what the built command and package make of the samples.
     name: 'site-pictures',
-    inputs: ['site/pictures', 'dist/cli', 'web/app/public/samples'],
+    inputs: ['site/pictures', 'dist/cli', 'web/app/public/samples', 'scripts/samples'],
     program: ['site/pictures/make.mjs'],
     outputs: ['build/site/pictures', 'build/site/options.json'],
   },
   {
     name: 'site-api',
-    inputs: ['web', 'site/typedoc.json', 'package-lock.json'],
+    inputs: ['web', 'site/api', 'site/typedoc.json', 'package-lock.json'],
     program: ['node_modules/typedoc/bin/typedoc', '--options', 'site/typedoc.json'],
     outputs: ['build/site/api/index.md'],
   },

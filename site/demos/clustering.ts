@@ -14,7 +14,9 @@ class TurningModel {
     Object.assign(this.slider, { type: 'range', min: '0', max: '360', value: '40' });
     const label = document.createElement('label');
     label.append('Turn it ', this.slider);
-    place.append(this.canvas, label);
+    const frame = document.createElement('div');
+    frame.append(this.canvas, label);
+    place.append(frame);
     this.slider.addEventListener('input', () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
