@@ -1,8 +1,8 @@
 import { defineConfig } from 'vitest/config';
 
 /**
- * Four groups: what runs under node, what drives Chromium over the built studio, what drives three engines, and what takes
- * up the packed package.
+ * Five groups: what runs under node, what drives Chromium over the built studio, what drives three engines, what takes
+ * up the packed package, and what reads the documentation site and runs its examples.
  */
 export default defineConfig({
   test: {
@@ -51,6 +51,18 @@ export default defineConfig({
           // Bundlers and whole jobs take their time on a slow machine.
           testTimeout: 600_000,
           hookTimeout: 120_000,
+        },
+      },
+      {
+        test: {
+          name: 'site',
+          include: ['tests/site/**/*.test.ts'],
+          fileParallelism: false,
+          sequence: { groupOrder: 4 },
+          // Examples unfold whole models, those of one page in a row.
+          testTimeout: 300_000,
+          hookTimeout: 60_000,
+          expect: { poll: { timeout: 20_000 } },
         },
       },
     ],
