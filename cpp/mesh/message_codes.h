@@ -44,6 +44,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "flattened-faces",
     "flipped-faces",
     "halved-edges",
+    "huge-holes",
     "ignored-elements",
     "inner-bodies",
     "lost-picture-places",

@@ -116,7 +116,10 @@ void PartTrees::forget(int part) {
   to_regroup_.erase(part);
   waiting_.erase(part);
   uncured_.erase(part);
-  trees_.erase(part);
+  const auto tree = trees_.find(part);
+  if (tree == trees_.end()) return;
+  if (tree->second.overlaps == 0) earlier_[part] = std::move(tree->second.net);
+  trees_.erase(tree);
 }
 
 bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
@@ -199,6 +202,12 @@ void PartTrees::collect(JobState& state) {
     if (tree.overlaps == 0) state.nets.push_back(std::move(tree.net));
   }
   trees_.clear();
+}
+
+std::vector<FoundNet> PartTrees::take_earlier() {
+  std::vector<FoundNet> nets;
+  for (auto& [part, net] : std::exchange(earlier_, {})) nets.push_back(std::move(net));
+  return nets;
 }
 
 }  // namespace foldwright

@@ -74,6 +74,9 @@ class PartTrees {
   /// Moves the trees that are nets to the state.
   void collect(JobState& state);
 
+  /// The nets of parts that were forgotten after they had one, each with the panels it had then.
+  std::vector<FoundNet> take_earlier();
+
  private:
   struct Tree {
     FoundNet net;
@@ -89,8 +92,9 @@ class PartTrees {
   void forget(int part);
   PartsSoFar parts_so_far(const JobState& state, int component, bool for_motion) const;
 
-  std::vector<Place> parts_;   ///< by part
-  std::map<int, Tree> trees_;  ///< by part
+  std::vector<Place> parts_;         ///< by part
+  std::map<int, Tree> trees_;        ///< by part
+  std::map<int, FoundNet> earlier_;  ///< by part: the net that it was forgotten with
   std::set<int> to_regroup_;
   std::set<int> regrouped_;  ///< parts that were, or cannot be
   std::set<int> waiting_;    ///< parts whose exchange is to come

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "pipeline/search_history.h"
 #include "pipeline/search_limits.h"
 #include "pipeline/search_notices.h"
+#include "pipeline/spare_nets.h"
 #include "search/overlap_cut.h"
 #include "segment/lock_labels.h"
 
@@ -114,8 +116,10 @@ class SearchStage : public Stage {
   }
 
   void salvage(JobState& state) override {
+    if (!trees_) return;  // it was announced, but has not begun
     trees_->collect(state);
     coarser_.abandon(state);
+    add_spare_nets(state, spare_nets());
     if (!std::exchange(carried_equal_, true)) add_nets_of_equal(state);
     label_faces(state);
     sort_nets(state);  // however the searches ended
@@ -160,6 +164,20 @@ class SearchStage : public Stage {
       if (nets.empty()) search_after_all(state, queue, c);
       for (FoundNet& net : nets) carry(state, queue, std::move(net), events);
     }
+  }
+
+  /// Nets that searches under way have come to, and then those that parts had before they got other
+  /// borders: a job that ends early hands over what its events have told of.
+  std::vector<FoundNet> spare_nets() {
+    std::vector<FoundNet> nets;
+    for (auto& [task, search] : std::exchange(searches_, {})) {
+      Candidate& best = search.best;
+      if (!best.is_net()) continue;
+      nets.push_back(
+          {std::move(search.region), std::move(best.folds), std::move(best.motion), search.place});
+    }
+    std::ranges::move(trees_->take_earlier(), std::back_inserter(nets));
+    return nets;
   }
 
   /// A net of an equal body becomes one of its own. Where it is not equal to the last digit, it is

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -14,9 +13,6 @@
 
 namespace foldwright {
 namespace {
-
-/// Cutting takes quadratic time, and this many corners a fraction of a second.
-constexpr std::size_t kMostCorners = 5'000;
 
 using Face = std::array<int, 3>;
 
@@ -127,9 +123,6 @@ FaceOrigins origins_beside(const TriangleSoup& soup, const BorderLoop& loop,
   return {place, place, place};
 }
 
-/// The width of a hole with too many edges to be filled.
-constexpr double kHuge = std::numeric_limits<double>::infinity();
-
 /// A hole, and how wide it is.
 struct Hole {
   BorderLoop loop;
@@ -137,7 +130,6 @@ struct Hole {
 };
 
 double width_of(const TriangleSoup& soup, const BorderLoop& loop) {
-  if (loop.vertices.size() > kMostCorners) return kHuge;
   double squared = 0;
   for (const int v : loop.vertices) {
     for (const int w : loop.vertices) {
@@ -147,9 +139,14 @@ double width_of(const TriangleSoup& soup, const BorderLoop& loop) {
   return std::sqrt(squared);
 }
 
-std::vector<Hole> find_holes(const TriangleSoup& soup) {
+/// The holes that can be filled, the narrow ones first.
+std::vector<Hole> find_holes(const TriangleSoup& soup, int& huge) {
   std::vector<Hole> holes;
   for (BorderLoop& loop : find_border_loops(soup)) {
+    if (loop.vertices.size() > kMostHoleEdges) {
+      ++huge;
+      continue;
+    }
     const double width = width_of(soup, loop);
     holes.push_back({std::move(loop), width});
   }
@@ -164,7 +161,6 @@ class HoleFiller {
 
   /// The triangles that fill a hole; none if there is no way. Later holes keep clear of them.
   std::vector<LoopTriangle> span(const BorderLoop& loop) {
-    if (loop.vertices.size() > kMostCorners) return {};
     std::vector<Vec3> points;
     for (const int v : loop.vertices) points.push_back(soup_.positions[v]);
     const auto is_taken = [&](int i, int j) {
@@ -212,7 +208,7 @@ class HoleFiller {
 
 Holes fill_holes(TriangleSoup& soup, double widest, double least_height) {
   Holes holes;
-  const std::vector<Hole> found = find_holes(soup);
+  const std::vector<Hole> found = find_holes(soup, holes.huge);
   if (found.empty()) return holes;
   HoleFiller filler(soup, least_height);
   for (const auto& [loop, width] : found) {

@@ -196,6 +196,7 @@ void mend_holes(TriangleSoup& triangles, const Frame& frame, const RepairOptions
   const Holes holes = fill_holes(triangles, options.fill_holes * frame.longest, least_height);
   report(model, "filled-holes", holes.filled);
   report(model, "unfilled-holes", holes.refused);
+  report(model, "huge-holes", holes.huge, {{"edges", kMostHoleEdges}});
   if (holes.left.empty()) return;
   const auto percent = [&](double width) {
     return std::ceil(1000 * width / frame.longest) / 10;  // enough to fill it

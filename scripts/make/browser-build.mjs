@@ -1,7 +1,7 @@
 // What the bundles for browsers have in common: the studio, for hosts, and the package, for bundlers.
 import { join } from 'node:path';
 import { root } from '../setup/paths.mjs';
-import { notePackages, sampleAddresses, withoutNodeModules } from './vite-plugins.mjs';
+import { integrity, notePackages, sampleAddresses, withoutNodeModules } from './vite-plugins.mjs';
 
 /** Scripts that other pages and programs call by their names. */
 export const packageEntries = {
@@ -38,7 +38,7 @@ export function browserBuild(options) {
   return {
     root: join(root, 'web/app'),
     base: './',
-    plugins: [notePackages(name), withoutNodeModules(), sampleAddresses(), ...plugins],
+    plugins: [notePackages(name), withoutNodeModules(), sampleAddresses(), ...plugins, integrity()],
     worker: {
       format: 'es',
       plugins: () => [ofWorkers, withoutNodeModules()],

@@ -129,3 +129,26 @@ export function precache(worker) {
     },
   };
 }
+
+/**
+ * Writes `integrity.json` beside the bundle: the hash of each of its files by its name, in the form of the part of an
+ * import map that browsers check modules by (Subresource Integrity).
+ */
+export function integrity() {
+  const fileName = 'integrity.json';
+  return {
+    name: 'integrity',
+    // After those who change files once they are written.
+    enforce: 'post',
+    writeBundle({ dir }) {
+      const hashes = filesBelow(dir)
+        .filter((name) => name !== fileName)
+        .map((name) => {
+          const hash = createHash('sha384').update(readFileSync(join(dir, name)));
+          return [`./${name}`, `sha384-${hash.digest('base64')}`];
+        });
+      const map = { integrity: Object.fromEntries(hashes) };
+      writeFileSync(join(dir, fileName), `${JSON.stringify(map, null, 2)}\n`);
+    },
+  };
+}

@@ -177,6 +177,21 @@ TEST(FillHoles, RefusesTheRimsOfFlatSheets) {
             1);
 }
 
+TEST(FillHoles, LeavesHolesOfTooManyEdgesOpen) {
+  // A fan of triangles around one vertex: its border is the hole.
+  constexpr int kCount = kMostHoleEdges + 1;
+  std::vector<Vec3> positions = {{0, 0, 1}};
+  std::vector<std::vector<int>> polygons;
+  for (int i = 0; i < kCount; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCount;
+    positions.push_back({std::cos(angle), std::sin(angle), 0});
+    polygons.push_back({0, 1 + i, 1 + (i + 1) % kCount});
+  }
+  const RepairedModel model = filled(soup(positions, polygons), kAll);
+  EXPECT_EQ(count_of(model, "huge-holes"), 1);
+  EXPECT_EQ(count_of(model, "filled-holes"), 0);
+}
+
 TEST(FillHoles, RefusesToRunThroughTheModel) {
   // A stick that stands in the hole of a box.
   const PolygonSoup stick = scaled(soup_of(cube()), {0.2, 3, 0.2});

@@ -39,8 +39,12 @@ TEST(JobDraft, IsThereOnceEveryPartHasANet) {
       if (const auto* told = std::get_if<StageEvent>(&event)) stage = told->stage;
     }
     const auto draft = draft_of(job);
-    if (stage < StageId::kSearch) EXPECT_EQ(draft, nullptr);
-    if (stage == StageId::kCompact) EXPECT_NE(draft, nullptr);
+    if (stage < StageId::kSearch) {
+      EXPECT_EQ(draft, nullptr);
+    }
+    if (stage == StageId::kCompact) {
+      EXPECT_NE(draft, nullptr);
+    }
     if (draft) drafts.push_back(draft);
   }
   EXPECT_EQ(draft_of(job), nullptr);

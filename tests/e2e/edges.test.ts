@@ -23,19 +23,33 @@ async function changed(studio: StudioPage, before: string): Promise<string> {
   return studio.resultOf('ring');
 }
 
-/** The middle of the first line of a path, in the window. */
-async function middleOf(line: Locator): Promise<[x: number, y: number]> {
+type Point = readonly [x: number, y: number];
+
+/** The middles of the first lines of paths, in the window. */
+function middlesOf(lines: Locator): Promise<Point[]> {
+  return lines.evaluateAll((paths) =>
+    (paths as SVGPathElement[]).map((path) => {
+      const [x1, y1, x2, y2] = path
+        .getAttribute('d')!
+        .match(/-?[\d.]+/g)!
+        .map(Number);
+      const middle = new DOMPoint((x1! + x2!) / 2, (y1! + y2!) / 2);
+      const { x, y } = middle.matrixTransform(path.getScreenCTM()!);
+      return [x, y] as const;
+    }),
+  );
+}
+
+/** The same of one path, which is brought into view. */
+async function middleOf(line: Locator): Promise<Point> {
   await line.scrollIntoViewIfNeeded();
-  return line.evaluate((path: SVGPathElement) => {
-    const [x1, y1, x2, y2] = path
-      .getAttribute('d')!
-      .match(/-?[\d.]+/g)!
-      .map(Number);
-    const { x, y } = new DOMPoint((x1! + x2!) / 2, (y1! + y2!) / 2).matrixTransform(
-      path.getScreenCTM()!,
-    );
-    return [x, y] as [number, number];
-  });
+  const [middle] = await middlesOf(line);
+  return middle!;
+}
+
+function nearestOf([x, y]: Point, points: readonly Point[]): Point {
+  const away = (point: Point): number => Math.hypot(point[0] - x, point[1] - y);
+  return points.reduce((best, point) => (away(point) < away(best) ? point : best));
 }
 
 /** Writes a number into the field and finds its edge by the keyboard. */
@@ -144,5 +158,57 @@ test('an edge is locked, found again by its sign, and let go', () =>
     expect(await join.isVisible()).toBe(true);
     await page.getByRole('button', { name: `Undo: lock taken away at ${number}` }).click();
     await expect.poll(() => page.locator('.lock-sign--cut').count()).toBe(2);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a flap gets another height by its field, and by its top in a hand', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const first = await open(studio);
+    const number = await printedNumber(page);
+    await find(page, number);
+    const field = page.locator('#edge-height');
+    const usual = Number(await field.inputValue());
+    expect(usual).toBeGreaterThan(2);
+    await field.fill('2.5');
+    await field.press('Enter');
+    const lower = await changed(studio, first);
+    expect(Number(await field.inputValue())).toBe(2.5);
+    await page.getByRole('button', { name: `Undo: flap of ${number} 2.5 mm high` }).click();
+    expect(await changed(studio, lower)).toBe(first);
+    expect(Number(await field.inputValue())).toBe(usual);
+
+    await field.fill('900');
+    await field.press('Enter');
+    expect(Number(await field.inputValue())).toBe(usual);
+    await field.fill('2');
+    await field.press('Escape');
+    expect(Number(await field.inputValue())).toBe(usual);
+    expect(await card(page).isVisible()).toBe(true);
+
+    const grip = page.locator('.edge-light--grip');
+    const top = await middleOf(grip);
+    const base = nearestOf(
+      top,
+      await middlesOf(page.locator('.edge-light--own, .edge-light--partner')),
+    );
+    await page.mouse.move(...top);
+    await page.mouse.down();
+    await page.mouse.move(...base, { steps: 4 });
+    await page.locator('#flap-ghost path').waitFor({ state: 'attached' });
+    const pulled = Number(await field.inputValue());
+    expect(pulled).toBeLessThan(usual);
+    await studio.picture('edges-flap-pulled');
+    await page.keyboard.press('Escape');
+    expect(Number(await field.inputValue())).toBe(usual);
+    await page.mouse.up();
+    expect(await studio.resultOf('ring')).toBe(first);
+
+    await page.mouse.move(...top);
+    await page.mouse.down();
+    await page.mouse.move(...base, { steps: 4 });
+    await page.mouse.up();
+    await changed(studio, first);
+    expect(Number(await field.inputValue())).toBe(pulled);
     expect(studio.complaints).toEqual([]);
   }));

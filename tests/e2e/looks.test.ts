@@ -57,6 +57,12 @@ test('a switch shows the model in its pictures, the right way up, and stays for 
     await expect.poll(async () => (await shares(studio))[0]).toBeGreaterThan(0.02);
     expect((await shares(studio))[1]).toBe(0);
     await studio.picture('looks');
+    // Who paints parts sees these.
+    const brush = studio.page.locator('#brush');
+    await brush.check();
+    await expect.poll(async () => (await shares(studio))[0]).toBe(0);
+    await brush.uncheck();
+    await expect.poll(async () => (await shares(studio))[0]).toBeGreaterThan(0.02);
     await studio.choose('plain.obj', ring);
     await studio.resultOf('plain');
     expect(await box.isVisible()).toBe(false);

@@ -364,3 +364,21 @@ test('the model and the sheets light each other’s pieces', () =>
       .toBe(false);
     expect(studio.complaints).toEqual([]);
   }));
+
+test('all flaps of a piece go to its neighbours and come back in one step', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const first = await open(studio);
+    await click(page, 'B');
+    await page.locator('#piece-card summary').click();
+    await button(page, 'All on the others').click();
+    const others = await changed(studio, first);
+    expect(await undo(page)).toBe('Undo: flaps of B');
+    await studio.picture('pieces-flaps');
+    await button(page, 'None').click();
+    expect(await changed(studio, others)).not.toBe(first);
+    await button(page, 'Undo: flaps of B').click();
+    await button(page, 'Undo: flaps of B').click();
+    await page.locator(`#result[data-hash="${first}"]`).waitFor();
+    expect(studio.complaints).toEqual([]);
+  }));

@@ -31,14 +31,14 @@ describe('words for edges', () => {
   });
 
   it('say what came of a change', () => {
-    const before = { pieces: 3, flap: 'here' } as const;
+    const before = { pieces: 3, flap: 'here', height: 5 } as const;
     const cut = { action: 'cut', before, after: { ...before, pieces: 4 } } as const;
     expect(outcomeWords(english, cut)).toBe('Cut. There are 4 pieces now; before there were 3.');
-    const turned = { action: 'turn-flap', before, after: { pieces: 3, flap: 'there' } } as const;
+    const turned = { action: 'turn-flap', before, after: { ...before, flap: 'there' } } as const;
     expect(outcomeWords(english, turned)).toBe('');
-    expect(outcomeWords(english, { ...turned, after: { pieces: 3, flap: 'none' } })).toBe(
-      'There is no room for a flap on that side.',
-    );
+    expect(
+      outcomeWords(english, { ...turned, after: { ...before, flap: 'none', height: 0 } }),
+    ).toBe('There is no room for a flap on that side.');
   });
 });
 

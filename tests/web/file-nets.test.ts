@@ -120,6 +120,16 @@ describe.skipIf(!isEngineBuilt)('nets of a file', () => {
       expect((await session.result()).pieces).toHaveLength(1);
     }));
 
+  it('say that their parts hold, whatever number was asked for', () =>
+    withThreads(1, async (pool) => {
+      const session = await run(pool, halvesFile, { nets: 'file', parts: 5 });
+      const { notices, pieces } = await session.result();
+      expect(pieces).toHaveLength(2);
+      expect(notices).toContainEqual({ code: 'parts-unused', params: { parts: 5 } });
+      const usual = await (await run(pool, halvesFile, { nets: 'file' })).result();
+      expect(codes(usual)).not.toContain('parts-unused');
+    }));
+
   it('come back as they were found, of a model in several parts', () =>
     withThreads(2, async (pool) => {
       const text = objText(wavyRing(8));

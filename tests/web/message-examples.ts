@@ -355,6 +355,14 @@ export const examples: readonly [KnownMessage, string][] = [
     '1 hole stays open: every face in it would run through the model or lie on it',
   ],
   [
+    { code: 'parts-unused', params: { parts: 6 } },
+    '6 parts were asked for, but the nets of the file have parts of their own, which were kept',
+  ],
+  [
+    { code: 'huge-holes', params: { count: 2, edges: 5000 } },
+    '2 holes stay open: only holes of at most 5000 edges are filled',
+  ],
+  [
     { code: 'inner-bodies', params: { count: 2 } },
     '2 bodies lie inside another one, where nobody will see them (--inside drop leaves them out)',
   ],

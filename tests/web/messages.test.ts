@@ -59,6 +59,7 @@ const own = Object.keys({
   'broken-faces': 0,
   'damaged-extras': 0,
   'file-nets-kept': 0,
+  'parts-unused': 0,
   'file-nets-lost': 0,
   'file-nets-unused': 0,
   'fold-nets-unused': 0,

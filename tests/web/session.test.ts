@@ -9,6 +9,8 @@ import type { TimedEvent } from '../../web/core/protocol.js';
 import type { Piece } from '../../web/model/job.js';
 import type { DocumentEdit } from '../../web/model/document-edits.js';
 import type { ModelFile } from '../../web/model/model-files.js';
+import { SheetEdges } from '../../web/model/sheet-edges.js';
+import { flapAt } from '../../web/model/sheet-flaps.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
@@ -227,6 +229,23 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       expect([piece.x, piece.y]).toEqual([expect.closeTo(x, 6), expect.closeTo(y, 6)]);
       await made(session, { kind: 'unpin', piece: 1 });
       expect(await session.apply({ kind: 'unpin', piece: 1 })).toMatchObject({ ok: false });
+    }));
+
+  it('keeps the height of a flap that changes sides, until it is to be as usual again', () =>
+    withSession(async (session) => {
+      const before = new SheetEdges(await session.result());
+      const edge = before.all.find((one) => one.kind === 'cut' && before.hasFlap(one))!;
+      const height = async (): Promise<number> => {
+        const edges = new SheetEdges(await session.result());
+        return flapAt(edges, edges.find(edge.name)!)!.height;
+      };
+      const usual = await height();
+      await made(session, { kind: 'flap', edge: edge.name, side: 'first', height_mm: 2 });
+      expect(await height()).toBeCloseTo(2);
+      await made(session, { kind: 'flap', edge: edge.name, side: 'second' });
+      expect(await height()).toBeCloseTo(2);
+      await made(session, { kind: 'flap', edge: edge.name, side: 'auto' });
+      expect(await height()).toBeCloseTo(usual);
     }));
 
   it('loses nothing when its workers end in the middle of an edit', () =>

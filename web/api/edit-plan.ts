@@ -62,6 +62,13 @@ function isPartChange(edit: DocumentEdit): edit is PartChange {
   return edit.kind === 'split' || edit.kind === 'merge' || edit.kind === 'again';
 }
 
+type FlapChange = Extract<DocumentEdit, { kind: 'flap' }>;
+
+/** Whether an edit is about flaps alone, of which each goes its own way. */
+function isFlapChange(edit: DocumentEdit): edit is FlapChange {
+  return edit.kind === 'flap';
+}
+
 function partEditOf(edit: PartChange): PartEdit {
   if (edit.kind === 'split') return { parts: [edit.part - 1], into: edit.into };
   if (edit.kind === 'again') return { parts: [edit.part - 1], into: 1 };
@@ -83,11 +90,12 @@ function isSameEdge(choice: { from: number; to: number }, [v, w]: EdgeName): boo
 
 function withFlap(
   choices: readonly FlapChoice[],
-  { edge, side, height_mm: height }: Extract<DocumentEdit, { kind: 'flap' }>,
+  { edge, side, height_mm }: FlapChange,
 ): FlapChoice[] {
   const others = choices.filter((choice) => !isSameEdge(choice, edge));
-  if (side === 'auto' && height === undefined) return others;
+  if (side === 'auto' && height_mm === undefined) return others;
   const [from, to] = edge;
+  const height = height_mm ?? choices.find((choice) => isSameEdge(choice, edge))?.height;
   return [...others, { from, to, flaps: flapSides[side], ...(height !== undefined && { height }) }];
 }
 
@@ -122,6 +130,10 @@ class Planner {
     return again ? { ...plan, seed: again.seed } : plan;
   }
 
+  flaps(edits: readonly FlapChange[]): EditPlan {
+    return this.inPlace({ flapEdges: edits.reduce(withFlap, this.state.wishes.flapEdges) });
+  }
+
   plan(edit: DocumentEdit): EditPlan | Refusal {
     const { wishes } = this.state;
     switch (edit.kind) {
@@ -137,7 +149,7 @@ class Planner {
       case 'lock':
         return this.inPlace({ locks: withLock(wishes.locks, edit) }, [], [edit]);
       case 'flap':
-        return this.inPlace({ flapEdges: withFlap(wishes.flapEdges, edit) });
+        return this.flaps([edit]);
       case 'name':
         return this.name(edit.part, edit.text);
       case 'place':
@@ -193,8 +205,8 @@ class Planner {
 }
 
 /**
- * How a state becomes the next one. Several edits are made in one go if all make parts of whole parts,
- * no part is named twice, and their numbers are those of this state.
+ * How a state becomes the next one. Several edits are made in one go if all are about flaps, or if all make parts of
+ * whole parts, no part is named twice, and their numbers are those of this state.
  */
 export function planEdits(
   state: DocumentState,
@@ -204,6 +216,7 @@ export function planEdits(
   try {
     if (edits.length === 1) return planner.plan(edits[0]!);
     if (edits.every(isPartChange)) return planner.parts(edits);
+    if (edits.every(isFlapChange)) return planner.flaps(edits);
   } catch (error) {
     if (!(error instanceof BadOption)) throw error;
     return refusal(error.code, error.params);

@@ -86,9 +86,13 @@ class Jobs {
    */
   kept(wishes: Wishes, kept: KeptNets, size: Messages['file-nets-kept']['size']): Beginning {
     const { count, uncut, locks } = kept;
-    const told = message('file-nets-kept', { pieces: count, uncut, size });
+    const { parts } = wishes.settings;
+    const told = [
+      message('file-nets-kept', { pieces: count, uncut, size }),
+      ...(parts === 'auto' ? [] : [message('parts-unused', { parts })]),
+    ];
     const job = { ...jobOf(wishes), locks };
-    return { wishes, run: (work) => this.run(job, [told], { ...work, start: startOf(kept) }) };
+    return { wishes, run: (work) => this.run(job, told, { ...work, start: startOf(kept) }) };
   }
 }
 

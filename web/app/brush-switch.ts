@@ -8,7 +8,11 @@ export class BrushSwitch extends Panel {
   private readonly hint = this.find('#brush-hint', HTMLElement);
   private readonly picture = this.find('#model-picture', HTMLElement);
 
-  constructor(place: StudioPlace) {
+  /** @param onSwitch hears whether hands paint, whenever that may have changed */
+  constructor(
+    place: StudioPlace,
+    private readonly onSwitch: (isOn: boolean) => void,
+  ) {
     super(place);
     this.box.addEventListener('change', () => this.show());
   }
@@ -28,5 +32,6 @@ export class BrushSwitch extends Panel {
   private show(): void {
     this.hint.hidden = !this.isOn;
     this.picture.toggleAttribute('data-painting', this.isOn);
+    this.onSwitch(this.isOn);
   }
 }

@@ -10,7 +10,12 @@ import { sentence } from './sentence.js';
 const unmended: readonly string[] = ['crossing-bodies', 'self-crossing-bodies'];
 
 /** What stays as it is, and may well be meant. */
-const left: readonly string[] = ['open-border', 'unfilled-holes', 'crossings-unchecked'];
+const left: readonly string[] = [
+  'open-border',
+  'huge-holes',
+  'unfilled-holes',
+  'crossings-unchecked',
+];
 
 /** What switches beside the lists are about. */
 const switched: readonly string[] = ['open-holes', 'inner-bodies'];

@@ -1,4 +1,6 @@
+import { flapHeights } from '../model/default-options.js';
 import type { EdgeAction } from '../model/edge-edits.js';
+import { heightStep } from '../model/sheet-flaps.js';
 import type { StudioPlace } from './place.js';
 import type { PlaceWalk } from './place-walk.js';
 import { onPress } from './press.js';
@@ -9,6 +11,8 @@ export interface EdgeCardContent {
   words: string;
   /** What can be done. */
   actions: readonly EdgeAction[];
+  /** Of the flap, in mm; null without one. */
+  height: number | null;
   /** Whether that has to wait. */
   busy: boolean;
   /** What the button says that hands a face over. */
@@ -21,6 +25,8 @@ export interface EdgeCardContent {
 
 export interface EdgeCardListener {
   act(action: EdgeAction): void;
+  /** The flap shall be so high, mm. */
+  setHeight(height: number): void;
   /** Goes to the next place of a walk, or with -1 to the one before. */
   step(by: 1 | -1): void;
   close(): void;
@@ -31,13 +37,22 @@ export class EdgeCard extends SheetCard {
   private readonly words = this.find('#edge-words', HTMLElement);
   private readonly outcome = this.find('#edge-outcome', HTMLElement);
   private readonly gift = this.find('#edge-gift', HTMLButtonElement);
+  private readonly height = this.find('#edge-height', HTMLInputElement);
+  private readonly heightLabel = this.find('#edge-height-label', HTMLElement);
+  /** What the field for the height holds is neither applied nor taken back. */
+  private isMeasuring = false;
+  private content: EdgeCardContent | null = null;
   private readonly walk = this.find('#edge-walk', HTMLElement);
   private readonly walkWords = this.find('#edge-walk-words', HTMLElement);
   private readonly walkButtons = [...this.walk.querySelectorAll<HTMLButtonElement>('[data-walk]')];
   private readonly buttons: readonly HTMLButtonElement[];
 
-  constructor(place: StudioPlace, listener: EdgeCardListener) {
+  constructor(
+    place: StudioPlace,
+    private readonly listener: EdgeCardListener,
+  ) {
     super(place, '#edge-card');
+    this.hearHeight();
     this.buttons = [...this.card.querySelectorAll<HTMLButtonElement>('[data-action]')];
     for (const button of this.buttons) {
       onPress(button, () => listener.act(button.dataset['action'] as EdgeAction));
@@ -53,11 +68,18 @@ export class EdgeCard extends SheetCard {
   /** Shows an edge, or nothing. */
   show(content: EdgeCardContent | null): void {
     this.card.hidden = content === null;
-    if (!content) return;
+    this.content = content;
+    if (!content) {
+      this.isMeasuring = false;
+      return;
+    }
     this.change(() => {
       this.words.textContent = content.words;
       this.outcome.textContent = content.outcome;
       this.gift.textContent = content.gift;
+      this.heightLabel.hidden = content.height === null;
+      this.height.readOnly = content.busy;
+      if (!this.isMeasuring) this.showHeight(content.height);
       this.walk.hidden = content.walk === null;
       this.walkWords.textContent = content.walk?.wordsIn(this.told) ?? '';
       for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
@@ -65,6 +87,34 @@ export class EdgeCard extends SheetCard {
         button.hidden = !content.actions.includes(button.dataset['action'] as EdgeAction);
         button.setAttribute('aria-disabled', String(content.busy));
       }
+    });
+  }
+
+  /** Shows how high the flap is, or would be, in mm. */
+  showHeight(height: number | null): void {
+    this.height.value = height === null ? '' : String(Number(height.toFixed(1)));
+  }
+
+  private hearHeight(): void {
+    const { height } = this;
+    height.min = String(flapHeights.least);
+    height.max = String(flapHeights.most);
+    height.step = String(heightStep);
+    height.addEventListener('input', () => (this.isMeasuring = true));
+    height.addEventListener('change', () => {
+      this.isMeasuring = false;
+      // A step from where a narrow place has left a flap is no whole one, which is no fault.
+      const asked = height.valueAsNumber;
+      const isUsable = asked >= flapHeights.least && asked <= flapHeights.most;
+      if (isUsable && !height.readOnly) this.listener.setHeight(asked);
+      else this.showHeight(this.content?.height ?? null);
+    });
+    height.addEventListener('keydown', (event) => {
+      // While it is being written, Escape takes a height back and leaves the card open.
+      if (event.key !== 'Escape' || !this.isMeasuring) return;
+      event.stopPropagation();
+      this.isMeasuring = false;
+      this.showHeight(this.content?.height ?? null);
     });
   }
 }

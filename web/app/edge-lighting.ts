@@ -2,6 +2,7 @@ import type { EdgeLock } from '../model/job-options.js';
 import { facesBeside, facing, trianglesOf } from '../model/facing.js';
 import type { FindingPlace } from '../model/finding-places.js';
 import type { SheetEdge, SheetEdges, SheetPoint } from '../model/sheet-edges.js';
+import { gripOf, type SheetFlap } from '../model/sheet-flaps.js';
 import type { Vector } from '../model/vector.js';
 import type { EdgeLight } from '../view/edge-lights.js';
 import type { LockSign } from '../view/lock-signs.js';
@@ -51,6 +52,12 @@ export function edgeLighting(edges: SheetEdges, edge: SheetEdge): LightsBySheet 
     add(edge.sheet, { kind: 'way', from: middleOf(own), to: middleOf(other) });
   }
   return lights;
+}
+
+/** The grip of a flap: a line of no length, of which its round ends are seen. */
+export function gripLighting(flap: SheetFlap): LightsBySheet {
+  const at = gripOf(flap);
+  return new Map([[flap.sheet, [{ kind: 'grip', from: at, to: at }]]]);
 }
 
 /** A piece by its whole outline. */

@@ -1,8 +1,9 @@
 import type { DocumentEdit, LockKind } from '../model/document-edits.js';
-import { edgeEdits, flapPlace, lockOf, type EdgeAction } from '../model/edge-edits.js';
+import { edgeEdits, flapPlace, heightEdit, lockOf, type EdgeAction } from '../model/edge-edits.js';
 import { placesOf, type FindingPlace } from '../model/finding-places.js';
 import type { EdgeLock } from '../model/job-options.js';
 import { SheetEdges, type SheetEdge } from '../model/sheet-edges.js';
+import { flapAt, type SheetFlap } from '../model/sheet-flaps.js';
 import type { Vector } from '../model/vector.js';
 import { findingsOn, type Finding } from '../model/verdict.js';
 import { phraseOf } from '../words/phrase.js';
@@ -10,22 +11,30 @@ import { findingWords } from '../words/verdict.js';
 import { EdgeCard } from './edge-card.js';
 import {
   edgeLighting,
+  gripLighting,
   litOnModel,
   lockSigns,
   pieceLighting,
   together,
   viewOf,
-  type LightsBySheet,
-  type LocksBySheet,
 } from './edge-lighting.js';
-import { edgeWords, giftWords, outcomeWords, pieceWords, type EdgeOutcome } from './edge-words.js';
+import {
+  edgeWords,
+  giftWords,
+  outcomeWords,
+  pieceWords,
+  type EdgeOutcome,
+  type EdgeState,
+} from './edge-words.js';
 import type { Ending } from './ending.js';
 import type { FinishedRun } from './finished-run.js';
+import { FlapPull } from './flap-pull.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PlaceWalk } from './place-walk.js';
 import { sentence } from './sentence.js';
 import { followWork } from './sheet-choice.js';
+import type { SheetList } from './sheet-list.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
 
@@ -33,17 +42,11 @@ import type { Store } from './store.js';
 const reach = { mm: 3, pixels: 6, leastPixels: 2 };
 
 /** Of a card that only tells something. */
-const nothing = { actions: [], busy: false, gift: '', outcome: '', walk: null };
+const nothing = { actions: [], height: null, busy: false, gift: '', outcome: '', walk: null };
 
 export interface EdgeToolListener {
-  /** Lights edges on the sheets. */
-  light(lights: LightsBySheet): void;
-  /** Puts the signs of locked edges on the sheets. */
-  lock(signs: LocksBySheet): void;
   /** Lights edges on the model, and looks at it from a direction unless that is null. */
   lightModel(edges: Int32Array, from: Vector | null): void;
-  /** Scrolls to what is lit on a sheet; how far that is below the upper end of the window then, in pixels. */
-  reveal(sheet: number): number;
   /** Makes an edit. */
   change(edit: DocumentEdit): Promise<Ending>;
   /** An edge is chosen, or looked for: nothing else is chosen any more. */
@@ -61,6 +64,7 @@ export class EdgeTool extends Panel {
   private readonly form = this.find('#edge-form', HTMLFormElement);
   private readonly number = this.find('#edge-number', HTMLInputElement);
   private readonly card: EdgeCard;
+  private readonly pull: FlapPull;
   private edges: SheetEdges | null = null;
   private pointed: SheetEdge | null = null;
   private chosen: SheetEdge | null = null;
@@ -73,13 +77,19 @@ export class EdgeTool extends Panel {
   constructor(
     place: StudioPlace,
     private readonly store: Store,
+    private readonly sheets: SheetList,
     private readonly listener: EdgeToolListener,
   ) {
     super(place);
     this.card = new EdgeCard(place, {
       act: (action) => void this.act(action),
+      setHeight: (height) => void this.setHeight(height),
       step: (by) => this.step(by),
       close: () => this.close(),
+    });
+    this.pull = new FlapPull(place, store, sheets, {
+      preview: (height) => this.card.showHeight(height ?? this.flap?.height ?? null),
+      pull: (height) => void this.setHeight(height),
     });
     this.form.addEventListener('submit', (event) => {
       event.preventDefault();
@@ -95,7 +105,7 @@ export class EdgeTool extends Panel {
     this.locks = locks;
     this.piece = null;
     this.walk = this.walkAfter(run);
-    this.listener.lock(lockSigns(this.told.edges.lockSigns, this.edges, locks));
+    this.sheets.lock(lockSigns(this.told.edges.lockSigns, this.edges, locks));
     this.chosen = this.chosen && this.edges.find(this.chosen.name);
     this.pointed = null;
     this.line.textContent = '';
@@ -144,6 +154,8 @@ export class EdgeTool extends Panel {
 
   /** Chooses the edge at a place; false if there is none. */
   press(place: SheetPlace | null): boolean {
+    // Who takes hold of a flap and lets it go again means no edge beside it.
+    if (place && this.holdsFlap(place)) return true;
     const edge = place && this.edgeAt(place);
     if (!edge) {
       this.close();
@@ -153,6 +165,11 @@ export class EdgeTool extends Panel {
     this.choose({ edge });
     this.card.keepOff(place.below);
     return true;
+  }
+
+  /** Whether a press at a place takes the flap of the chosen edge. */
+  holdsFlap(place: SheetPlace, isFinger = false): boolean {
+    return this.pull.holds(place, isFinger);
   }
 
   private edgeAt({ sheet, point, mmPerPixel }: SheetPlace): SheetEdge | null {
@@ -186,7 +203,7 @@ export class EdgeTool extends Panel {
   private reveal(place: FindingPlace): void {
     this.choose(place);
     const at = place.edge ?? this.edges?.result.pieces[place.piece];
-    if (at) this.card.keepOff(this.listener.reveal(at.sheet));
+    if (at) this.card.keepOff(this.sheets.reveal(at.sheet));
   }
 
   private choose(place: FindingPlace): void {
@@ -209,8 +226,19 @@ export class EdgeTool extends Panel {
   private async act(action: EdgeAction): Promise<void> {
     const { edges, chosen } = this;
     const edit = edges && chosen && edgeEdits(edges, chosen, this.lock).get(action);
-    if (!edit) return;
-    const before = this.state;
+    if (edit) await this.make(action, edit);
+  }
+
+  private async setHeight(height: number): Promise<void> {
+    const { edges, chosen } = this;
+    const edit = edges && chosen && heightEdit(edges, chosen, height);
+    if (edit) await this.make({ height }, edit);
+  }
+
+  /** Makes an edit at the chosen edge, and tells what came of it. */
+  private async make(action: EdgeOutcome['action'], edit: DocumentEdit): Promise<void> {
+    const { chosen, state: before } = this;
+    if (!chosen) return;
     const ending = await this.listener.change(edit);
     // Who has chosen another edge meanwhile sees what came of it on the sheets.
     if (this.chosen?.modelEdge !== chosen.modelEdge) return;
@@ -226,16 +254,26 @@ export class EdgeTool extends Panel {
     return this.chosen ? lockOf(this.chosen, this.locks) : 'free';
   }
 
+  /** The flap of the chosen edge. */
+  private get flap(): SheetFlap | null {
+    return this.edges && this.chosen && flapAt(this.edges, this.chosen);
+  }
+
   /** What an edit can change at the chosen edge. */
-  private get state(): EdgeOutcome['before'] | null {
+  private get state(): EdgeState | null {
     const { edges, chosen } = this;
     if (!edges || !chosen) return null;
-    return { pieces: edges.result.pieces.length, flap: flapPlace(edges, chosen) };
+    return {
+      pieces: edges.result.pieces.length,
+      flap: flapPlace(edges, chosen),
+      height: this.flap?.height ?? 0,
+    };
   }
 
   private show(): void {
     const { edges, chosen, piece, outcome, lock, walk } = this;
     const { busy } = this.store;
+    this.pull.offer(this.flap);
     const { edges: told } = this.told;
     if (edges && piece !== null) {
       const words = sentence(pieceWords(this.told, edges.result.pieces[piece]!));
@@ -247,7 +285,8 @@ export class EdgeTool extends Panel {
     const actions = [...edgeEdits(edges, chosen, lock).keys()];
     const gift = giftWords(this.told, edges, chosen);
     const text = words.filter(Boolean).join(' ');
-    this.card.show({ words: text, actions, busy, gift, outcome, walk });
+    const height = this.flap?.height ?? null;
+    this.card.show({ words: text, actions, height, busy, gift, outcome, walk });
   }
 
   /** Lights what is chosen and what is pointed at; `looked`: what of it the model is turned to. */
@@ -261,7 +300,9 @@ export class EdgeTool extends Panel {
       lights.push(pieceLighting(edges, piece));
       onModel.push(...litOnModel(edges, { piece }));
     }
-    this.listener.light(together(lights));
+    const { flap } = this;
+    if (flap) lights.push(gripLighting(flap));
+    this.sheets.light(together(lights));
     const from = looked && viewOf(edges, looked);
     this.listener.lightModel(Int32Array.from(onModel), from);
   }

@@ -37,11 +37,22 @@ export function pieceWords({ pieces }: Words, { name, width, height, sheet }: Pi
   return pieces.inPlace({ name, width: across, height: up, sheet: sheet + 1 });
 }
 
+/** What an edit can change at an edge; `height`: of its flap, mm, 0 without one. */
+export interface EdgeState {
+  pieces: number;
+  flap: FlapPlace;
+  height: number;
+}
+
+/** Flaps that are lower than asked for by less than this, mm, are as asked for. */
+const shrinkage = 0.05;
+
 /** What came of an edit at an edge: the same edge in the result before and after. */
 export interface EdgeOutcome {
-  action: EdgeAction;
-  before: { pieces: number; flap: FlapPlace };
-  after: { pieces: number; flap: FlapPlace };
+  /** A height that was asked for is in mm. */
+  action: EdgeAction | { height: number };
+  before: EdgeState;
+  after: EdgeState;
 }
 
 function piecesWords({ edges }: Words, before: number, after: number): string {
@@ -51,6 +62,9 @@ function piecesWords({ edges }: Words, before: number, after: number): string {
 /** What came of an edit, where the edge alone does not tell it; empty if it does. */
 export function outcomeWords(words: Words, { action, before, after }: EdgeOutcome): string {
   const { edges } = words;
+  if (typeof action === 'object') {
+    return after.height < action.height - shrinkage ? edges.roomForFlap(after.height) : '';
+  }
   const pieces = piecesWords(words, before.pieces, after.pieces);
   switch (action) {
     case 'cut':

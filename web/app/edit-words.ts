@@ -21,8 +21,12 @@ const paperKinds: Readonly<Record<string, keyof Words['changes']['paper']>> = {
   ids: 'numbers',
 };
 
-/** Names an edit at an edge by what the edge is in a result before or after it. */
-function edgeEditWords({ changes }: Words, edit: EdgeEdit, result: JobResult): string {
+/** Names edits at edges by what the first edge is in a result before or after them. */
+function edgeEditWords(
+  { changes }: Words,
+  [edit, ...more]: readonly [EdgeEdit, ...DocumentEdit[]],
+  result: JobResult,
+): string {
   const edge = new SheetEdges(result).find(edit.edge);
   const piece = edge ? result.pieces[edge.piece]!.name : null;
   const number = edge && printedText(edge);
@@ -32,7 +36,11 @@ function edgeEditWords({ changes }: Words, edit: EdgeEdit, result: JobResult): s
     case 'join':
       return changes.join(piece);
     case 'flap':
-      return changes.flap[edit.side](number);
+      // Only all flaps of a piece change in one go.
+      if (more.length > 0) return changes.pieceFlaps(piece);
+      return edit.height_mm === undefined
+        ? changes.flap[edit.side](number)
+        : changes.flapHeight(number, edit.height_mm);
     case 'lock':
       return changes.lock(edit.as, number, piece);
   }
@@ -60,7 +68,7 @@ export function partsOf(edit: DocumentEdit): readonly number[] {
  */
 export function editWords(words: Words, edits: readonly DocumentEdit[], result: JobResult): string {
   const { changes } = words;
-  const [first] = edits;
+  const [first, ...more] = edits;
   // The model was replaced.
   if (!first) return words.replacing.replaced;
   const parts = [...new Set(edits.flatMap(partsOf))];
@@ -75,7 +83,7 @@ export function editWords(words: Words, edits: readonly DocumentEdit[], result: 
     case 'join':
     case 'flap':
     case 'lock':
-      return edgeEditWords(words, first, result);
+      return edgeEditWords(words, [first, ...more], result);
     case 'paper': {
       const [option = ''] = Object.keys(first.options);
       return changes.paper[paperKinds[option] ?? 'paper'];

@@ -62,6 +62,8 @@ export class Keeper {
   /** By runs: undo may go back to the model before the one on the page. */
   private readonly entries = new WeakMap<FinishedRun['pictures'], Entry>();
   private savedRun: FinishedRun | null = null;
+  /** What is to be saved: another model may come on the page meanwhile. */
+  private unsaved: { entry: Entry; project: Project; run: FinishedRun } | null = null;
   /** Of the run on the page. */
   private pictures: FinishedRun['pictures'] | null = null;
   private files: ChosenModel['files'] | null = null;
@@ -102,14 +104,8 @@ export class Keeper {
 
   /** Saves at once what is not saved yet. */
   flush(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
-    const { run, document } = this.store;
-    const entry = this.present;
-    if (!run || !document || !entry || run === this.savedRun) return;
-    this.savedRun = run;
-    entry.isEdited ||= document.steps.length > 0;
-    this.queue(() => this.write(entry, document, { isPending: false, run }));
+    this.note();
+    this.saveNoted();
   }
 
   /** The project on the page, once all of it is saved; null while none is kept. */
@@ -121,11 +117,32 @@ export class Keeper {
   }
 
   private follow(): void {
-    const { run } = this.store;
-    if (!run || run === this.savedRun) return;
-    if (this.isNew(run)) this.take(run);
-    if (run === this.savedRun) return;
-    this.timer ??= setTimeout(() => this.flush(), pause);
+    this.note();
+    if (this.unsaved) this.timer ??= setTimeout(() => this.flush(), pause);
+  }
+
+  /** Takes note of what is on the page, if that is not saved. */
+  private note(): void {
+    const { run, document } = this.store;
+    if (!run || !document || run === this.savedRun) return;
+    if (this.isNew(run)) {
+      this.saveNoted();
+      this.take(run);
+    }
+    const entry = this.present;
+    if (entry && run !== this.savedRun) this.unsaved = { entry, project: document, run };
+  }
+
+  private saveNoted(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const { unsaved } = this;
+    if (!unsaved) return;
+    this.unsaved = null;
+    const { entry, project, run } = unsaved;
+    this.savedRun = run;
+    entry.isEdited ||= project.steps.length > 0;
+    this.queue(() => this.write(entry, project, { isPending: false, run }));
   }
 
   /** Edits leave a run its pictures. */

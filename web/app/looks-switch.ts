@@ -9,6 +9,7 @@ export class LooksSwitch extends Panel {
   private readonly box = this.find('#looks', HTMLInputElement);
   private readonly label = this.find('#looks-switch', HTMLElement);
   private looks: Looks | null = null;
+  private isHeld = false;
   /** Those that were handed over: they may be large, and are the same for all results of a model. */
   private pictures: readonly ModelFile[] | null = null;
 
@@ -27,8 +28,15 @@ export class LooksSwitch extends Panel {
     if (looks) this.show();
   }
 
+  /** Shows the parts instead, whatever the switch says, as long as this is set. */
+  set held(isHeld: boolean) {
+    if (this.isHeld === isHeld) return;
+    this.isHeld = isHeld;
+    if (this.looks) this.show();
+  }
+
   private show(): void {
-    const looks = this.box.checked ? this.looks : null;
+    const looks = this.box.checked && !this.isHeld ? this.looks : null;
     if (looks && looks.pictures !== this.pictures) {
       this.pictures = looks.pictures;
       this.post({ type: 'pictures', pictures: looks.pictures });

@@ -2,12 +2,10 @@
 import { find } from './dom.js';
 import { keepForOffline, takeNewestBuild, type OfflineState } from './offline.js';
 import { PageLanguage } from './page-language.js';
-
-/** `?workers=N` in the address: for people who want to keep cores free, or use more of them. */
-const workers = new URLSearchParams(location.search).get('workers');
+import { requestedAttributes } from './page-request.js';
 
 const studio = find(document, 'foldwright-studio', HTMLElement);
-if (workers !== null) studio.setAttribute('workers', workers);
+for (const [name, value] of requestedAttributes(location.search)) studio.setAttribute(name, value);
 
 let offline: OfflineState | null = null;
 const language = new PageLanguage(studio, () => tellOffline());

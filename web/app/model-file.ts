@@ -70,6 +70,11 @@ function fileNameOf(address: string): string {
   }
 }
 
+/** Whether an address is one of another site, which must allow this one to fetch its files, as must the page. */
+function isElsewhere(address: string, base: string): boolean {
+  return URL.canParse(address, base) && new URL(address, base).origin !== location.origin;
+}
+
 /**
  * Fetches a model from an address, which may be relative to `base`. Throws UnusableChoice for one that is not
  * there, empty or too large.
@@ -86,7 +91,8 @@ export async function fetchModelFile(
     if (!response.ok) throw new Error(response.statusText);
     bytes = await response.blob();
   } catch {
-    throw new UnusableChoice(({ choice }) => choice.notLoaded(name));
+    const words = isElsewhere(address, base) ? 'notLetIn' : 'notLoaded';
+    throw new UnusableChoice(({ choice }) => choice[words](name));
   }
   return readModelFiles([{ path: name, file: new File([bytes], name) }]);
 }

@@ -36,11 +36,12 @@ export class ModelPanel extends Panel {
     isPainting: () => this.brush.isOn,
     onPaint: (painted) => this.listener.paint(painted),
   });
-  private readonly brush = new BrushSwitch(this.place);
   private readonly folding = new FoldingPanel(this.place, (time) =>
     this.view.post({ type: 'time', time }),
   );
   private readonly looks = new LooksSwitch(this.place, (message) => this.view.post(message));
+  // Who paints parts has to see them.
+  private readonly brush = new BrushSwitch(this.place, (isOn) => (this.looks.held = isOn));
   /** Of the run whose model is shown. */
   private run: RunPictures | null = null;
 

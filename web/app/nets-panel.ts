@@ -6,6 +6,10 @@ import { flatNet, unknownNet, type FlatNet } from '../view/flat-net.js';
 import { openPicture } from '../view/picture.js';
 import { Redraw } from '../view/redraw.js';
 import { Panel } from './panel.js';
+import { SteadyWords } from './steady-words.js';
+
+/** Words are not longer for more nets and sheets than that. */
+const many = 88;
 
 /** Ms between two pictures: events come no faster. */
 const interval = 100;
@@ -15,7 +19,7 @@ const interval = 100;
  * nets get better. The words say which.
  */
 export class NetsPanel extends Panel {
-  private readonly words = this.find('#nets-words', HTMLElement);
+  private readonly words = new SteadyWords(this.find('#nets-words', HTMLElement));
   private readonly frame = this.find('#nets', HTMLElement);
   private readonly picture = openPicture(this.frame, this.place.life);
   private readonly redraw = new Redraw(() => this.draw(), interval);
@@ -35,7 +39,9 @@ export class NetsPanel extends Panel {
     this.draft = null;
     this.areas = areasOf(model);
     this.labels = new Int32Array();
-    this.words.textContent = this.told.pictures.netsToCome;
+    const { netsToCome, netsFound, couldBePrinted } = this.told.pictures;
+    this.words.keepRoomFor([netsToCome, netsFound(many), couldBePrinted(many)]);
+    this.words.text = netsToCome;
     this.redraw.request();
   }
 
@@ -43,10 +49,10 @@ export class NetsPanel extends Panel {
     if (event.type === 'segmented') this.labels = event.labels;
     if (event.type === 'draft') {
       this.draft = event.result;
-      this.words.textContent = this.told.pictures.couldBePrinted(event.result.sheets.length);
+      this.words.text = this.told.pictures.couldBePrinted(event.result.sheets.length);
     } else {
       if (!this.nets.follow(event) || this.draft) return;
-      this.words.textContent = this.told.pictures.netsFound(this.nets.nets.length);
+      this.words.text = this.told.pictures.netsFound(this.nets.nets.length);
     }
     this.redraw.request();
   }

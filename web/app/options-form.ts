@@ -130,7 +130,7 @@ export class OptionsForm extends Panel {
     this.mending.set(settings);
   }
 
-  /** Fills in fields of sheets, size, flaps and numbers, by their ids; a kind of size comes before its number. */
+  /** Fills in fields by their ids; a kind of size comes before its number. */
   fillPaper(values: FieldValues): void {
     for (const [id, value] of values) {
       const field = this.find(`#${id}`, HTMLElement);

@@ -1,4 +1,5 @@
 import type { PartOffer } from '../model/piece-edits.js';
+import { pieceFlaps, type PieceFlaps } from '../model/piece-flaps.js';
 import { make } from './dom.js';
 import type { StudioPlace } from './place.js';
 import { onPress } from './press.js';
@@ -48,6 +49,7 @@ export interface PieceCardListener {
   /** It shall stay where it is, or need not any more. */
   pin(isPinned: boolean): void;
   rename(name: string): void;
+  setFlaps(where: PieceFlaps): void;
   split(): void;
   again(): void;
   /** With a part, from 0. */
@@ -88,6 +90,7 @@ export class PieceCard extends SheetCard {
       button('#piece-split', () => listener.split()),
       button('#piece-again', () => listener.again()),
       button('#piece-join', () => listener.join(Number(this.partner.value))),
+      ...this.flapButtons(),
     ];
     button('#piece-room', () => listener.findRoom());
     button('#piece-close', () => listener.close());
@@ -171,6 +174,14 @@ export class PieceCard extends SheetCard {
     if (!way) return;
     const length = isFar ? step.shift : step.plain;
     this.listener.nudge(length * way[0], length * way[1]);
+  }
+
+  private flapButtons(): HTMLButtonElement[] {
+    return pieceFlaps.map((where) => {
+      const button = this.find(`#piece-card [data-flaps="${where}"]`, HTMLButtonElement);
+      onPress(button, () => this.listener.setFlaps(where));
+      return button;
+    });
   }
 
   private hearName(): void {

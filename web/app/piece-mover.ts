@@ -7,10 +7,10 @@ import { drawGhost, type Ghost } from '../view/piece-ghost.js';
 import { phraseOf } from '../words/phrase.js';
 import type { Ending } from './ending.js';
 import { Panel } from './panel.js';
-import { PieceDrag } from './piece-drag.js';
 import { cannotStay, notDropped } from './piece-words.js';
 import type { StudioPlace } from './place.js';
 import { sentence } from './sentence.js';
+import { SheetDrag } from './sheet-drag.js';
 import type { SheetList } from './sheet-list.js';
 import type { SheetPlace } from './sheet-place.js';
 import type { Store } from './store.js';
@@ -50,7 +50,7 @@ export class PieceMover extends Panel {
     private readonly listener: PieceMoverListener,
   ) {
     super(place);
-    new PieceDrag(place, (event) => sheets.nearestPlace(event), {
+    new SheetDrag(place, (event) => sheets.nearestPlace(event), {
       isLiftable: (at, isFinger) => !this.isBusy && listener.liftable(at, isFinger) !== null,
       lift: (at) => this.lift(at),
       follow: (at) => this.follow(at),

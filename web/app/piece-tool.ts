@@ -1,6 +1,8 @@
 import type { DocumentEdit } from '../model/document-edits.js';
 import { isPinOf, joinOffers, placing } from '../model/piece-edits.js';
+import { pieceFlapEdits, type PieceFlaps } from '../model/piece-flaps.js';
 import { placeOf } from '../model/piece-shape.js';
+import { SheetEdges } from '../model/sheet-edges.js';
 import { SheetPieces } from '../model/sheet-pieces.js';
 import { phraseOf } from '../words/phrase.js';
 import type { Ending } from './ending.js';
@@ -20,10 +22,12 @@ import type { Store } from './store.js';
 export interface PieceToolListener {
   /** Lights faces of the model, in place of those before. */
   lightFaces(faces: Int32Array): void;
-  /** Makes an edit, and tells it by these words, or by what has become of the result. */
-  change(edit: DocumentEdit, words?: string): Promise<Ending>;
+  /** Makes edits in one go, and tells them by these words, or by what has become of the result. */
+  change(edits: readonly DocumentEdit[], words?: string): Promise<Ending>;
   /** A piece is chosen or taken up: nothing else is chosen any more. */
   alone(): void;
+  /** Whether a press at a place is for something else than pieces. */
+  isTaken(place: SheetPlace, isFinger: boolean): boolean;
 }
 
 /** Pieces on the sheets are pointed at, chosen by a click, by keys or by their name, and changed. */
@@ -54,7 +58,7 @@ export class PieceTool extends Panel {
     this.mover = new PieceMover(place, store, sheets, {
       // A finger takes up only what is chosen: elsewhere it scrolls the page.
       liftable: (at, isFinger) => {
-        const piece = this.pieceAt(at);
+        const piece = listener.isTaken(at, isFinger) ? null : this.pieceAt(at);
         return isFinger && piece !== this.chosen ? null : piece;
       },
       onLift: (piece) => {
@@ -63,7 +67,7 @@ export class PieceTool extends Panel {
         if (this.chosen !== null) this.choose(piece);
       },
       onMove: () => this.show(),
-      change: (edit, words) => listener.change(edit, words),
+      change: (edit, words) => listener.change([edit], words),
       tell: (piece, words) => this.tell(piece, words),
     });
     this.list.addEventListener('keydown', (event) => this.walk(event));
@@ -147,6 +151,7 @@ export class PieceTool extends Panel {
       }),
       pin: (isPinned) => void this.pin(isPinned),
       rename: (text) => void this.change((part) => ({ kind: 'name', part, text })),
+      setFlaps: (where) => void this.setFlaps(where),
       split: () => void this.change((part) => ({ kind: 'split', part, into: 2 })),
       again: () => void this.change((part) => ({ kind: 'again', part, seed: this.nextSeed() })),
       join: (other) => void this.change((part) => ({ kind: 'merge', parts: [part, other + 1] })),
@@ -202,14 +207,23 @@ export class PieceTool extends Panel {
     const edit: DocumentEdit = isPinned
       ? placing(chosen, placeOf(own))
       : { kind: 'unpin', piece: chosen + 1 };
-    await this.follow(this.listener.change(edit, words));
+    await this.follow(this.listener.change([edit], words));
   }
 
   /** Changes the part of the chosen piece, from 1. */
   private async change(edit: (part: number) => DocumentEdit): Promise<void> {
     await this.mover.finish();
     if (this.chosen === null) return;
-    await this.follow(this.listener.change(edit(this.partOf(this.chosen) + 1)));
+    await this.follow(this.listener.change([edit(this.partOf(this.chosen) + 1)]));
+  }
+
+  /** Puts all flaps of the chosen piece where they shall be. */
+  private async setFlaps(where: PieceFlaps): Promise<void> {
+    await this.mover.finish();
+    const { run, chosen } = this;
+    if (!run || chosen === null) return;
+    const edits = pieceFlapEdits(new SheetEdges(run.result), chosen, where);
+    if (edits.length > 0) await this.follow(this.listener.change(edits));
   }
 
   /** Says why a change was not made. */

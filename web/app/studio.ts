@@ -9,7 +9,9 @@ import type { FoldedNets } from '../read/fold/folded-nets.js';
 import { changedSettings, type Options } from '../api/written-options.js';
 import type { Painted } from '../view/model-message.js';
 import type { Message } from '../model/message.js';
+import { BadOption } from '../words/bad-option.js';
 import { phraseOf } from '../words/phrase.js';
+import { askedFields } from './asked-options.js';
 import { isSupported } from './browser-support.js';
 import { Checking } from './checking.js';
 import { triangleWords } from './check-words.js';
@@ -25,10 +27,17 @@ import { HatchSwitch } from './hatch-switch.js';
 import { lostWords } from './lost-words.js';
 import { MessagePanel } from './message-panel.js';
 import { ModelChoice } from './model-choice.js';
-import { fetchModelFile, readModelFiles, UnusableChoice, type ChosenModel } from './model-file.js';
+import {
+  fetchModelFile,
+  readModelFiles,
+  UnusableChoice,
+  type ChosenModel,
+  type PickedFile,
+} from './model-file.js';
 import { OptionsForm, type Preset } from './options-form.js';
 import { Panel } from './panel.js';
 import { PartsPanel } from './parts-panel.js';
+import { listenForPaste } from './paste.js';
 import { PieceTool } from './piece-tool.js';
 import { PendingSettings, type FieldValues } from './pending-settings.js';
 import type { StudioPlace } from './place.js';
@@ -125,20 +134,18 @@ export class Studio extends Panel {
     });
     new Splitter(place);
     this.layout = new SceneLayout(place, (page) => listener.onPage(page));
-    this.edges = new EdgeTool(place, this.store, {
-      light: (lights) => sheets.light(lights),
-      lock: (signs) => sheets.lock(signs),
+    this.edges = new EdgeTool(place, this.store, sheets, {
       lightModel: (lit, from) => this.workshop.light(lit, from),
-      reveal: (sheet) => sheets.reveal(sheet),
       change: (edit) => this.edit(this.store.apply([edit]), (run) => this.done(run)),
       alone: () => this.pieces.close(),
       findOther: (name) => this.pieces.findNamed(name),
     });
     this.pieces = new PieceTool(place, this.store, sheets, {
       lightFaces: (faces) => this.workshop.lightFaces(faces),
-      change: (edit, words) =>
-        this.edit(this.store.apply([edit]), (run) => words ?? this.done(run)),
+      change: (edits, words) =>
+        this.edit(this.store.apply(edits), (run) => words ?? this.done(run)),
       alone: () => this.edges.close(),
+      isTaken: (at, isFinger) => this.edges.holdsFlap(at, isFinger),
     });
     this.workshop = new Workshop(place, {
       point: ({ face, why }) => {
@@ -207,7 +214,10 @@ export class Studio extends Panel {
       new PaperHabit(this.place, this.form);
       void this.desk.keep();
     }
-    new FilePicker(this.place, (files) => void this.choose(files.then(readModelFiles)));
+    const take = (files: Promise<readonly PickedFile[]>): void =>
+      void this.choose(files.then(readModelFiles));
+    new FilePicker(this.place, take);
+    listenForPaste(this.place, (files) => take(Promise.resolve(files)));
     new ReplaceButton(this.place, this.store, (files) => void this.replace(readModelFiles(files)));
     await this.gallery.load().catch((error: unknown) => this.explain(error));
     // All is there now: while a model is being chosen there is time for what a run needs.
@@ -217,6 +227,16 @@ export class Studio extends Panel {
   /** Fills in the fields for which there are values, and leaves the others as they are. */
   preset(values: Preset): void {
     this.form.preset(values);
+  }
+
+  /** Fills in the fields for options as addresses write them; tells what is wrong with them. */
+  ask(options: string): void {
+    try {
+      this.form.fillPaper(askedFields(options));
+    } catch (error) {
+      if (!(error instanceof BadOption)) throw error;
+      this.message.show(sentence(this.told.optionFault(error.params)));
+    }
   }
 
   /** Fetches a model from an address, which may be relative to `base`, and unfolds it. */

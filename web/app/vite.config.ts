@@ -7,7 +7,11 @@ const path = (relative: string): string => fileURLToPath(new URL(relative, impor
 /** The studio, as hosts serve it; other pages find the scripts of the package beside it. */
 export default browserBuild({
   name: 'studio',
-  entries: { index: path('index.html'), ...packageEntries },
+  entries: {
+    index: path('index.html'),
+    'viewer-frame': path('viewer-frame.html'),
+    ...packageEntries,
+  },
   chunkFolder: 'assets/',
   // The WASM lies beside the page, where hosts and people expect it.
   wasmFolder: '',

@@ -9,7 +9,7 @@ export const presets = [
 ] as const satisfies readonly (keyof Preset)[];
 
 /** Attributes of a studio that are texts, beside `lang`, which every element has. */
-export type StudioTextAttribute = 'src' | 'workers' | (typeof presets)[number];
+export type StudioTextAttribute = 'src' | 'options' | 'workers' | (typeof presets)[number];
 
 /** Attributes of a studio that are there or not. */
 export type StudioSwitchAttribute = 'whole-page' | 'autosave';

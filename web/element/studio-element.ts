@@ -54,13 +54,14 @@ const styleSheet = sharedStyleSheet(styles);
  * @attr {string} seed - the same of the seed
  * @attr {string} paper - the same of the paper, which may also be WxH in mm
  * @attr {string} faces - the same of the number of triangles to simplify to
+ * @attr {string} options - further options of the command line that have a field, as in an address: `height=150&flaps=6`
  * @attr {string} lang - language of the words on the page and on paper, by its code (BCP 47); English for one that there is not. Without it English, or with `whole-page` that of the person. A change begins the studio anew with the work that is on it, once nothing is being computed
  * @attr {string} workers - number of engine workers, 1 to 64; counts for the first studio that needs them
  * @attr {boolean} whole-page - the page is for nothing else: files dropped anywhere and Escape pressed anywhere are for the studio, and the work is kept as with `autosave`
  * @attr {boolean} autosave - the browser keeps the work by itself, for this origin, and the start screen offers it; without it a visitor of a shop's page leaves nothing behind; counts when the element is put into the page
  */
 export class FoldwrightStudio extends HTMLElement {
-  static readonly observedAttributes = ['src', 'lang', ...presets];
+  static readonly observedAttributes = ['src', 'lang', 'options', ...presets];
 
   private readonly root = this.attachShadow({ mode: 'open' });
   private studio: Studio | null = null;
@@ -84,6 +85,7 @@ export class FoldwrightStudio extends HTMLElement {
     if (!this.studio) return;
     if (name === 'src') this.load();
     else if (name === 'lang') void this.speakAnew();
+    else if (name === 'options') this.ask();
     else this.studio.preset(this.preset([name]));
   }
 
@@ -121,6 +123,7 @@ export class FoldwrightStudio extends HTMLElement {
       // For the page around it, which may make room.
       onPage: (page) => this.setAttribute('page', page),
     });
+    this.ask();
     this.studio.preset(this.preset(presets));
     void this.studio.start();
     if (work) this.studio.goOn(work);
@@ -138,6 +141,11 @@ export class FoldwrightStudio extends HTMLElement {
   private load(): void {
     const address = this.getAttribute('src');
     if (address) this.studio?.load(address, this.baseURI);
+  }
+
+  private ask(): void {
+    const options = this.getAttribute('options');
+    if (options) this.studio?.ask(options);
   }
 
   private preset(names: readonly string[]): Preset {

@@ -1,5 +1,8 @@
 import type { JobOptions } from './job-options.js';
 
+/** Millimetres; how high flaps may be. */
+export const flapHeights = { least: 1, most: 50 } as const;
+
 /** What a job does when nothing is asked for: the defaults of the command line and of the studio. */
 export const defaultOptions: Readonly<JobOptions> = {
   parts: 0,

@@ -23,7 +23,10 @@ export type DocumentEdit =
   | { kind: 'lock'; edge: EdgeName; as: LockKind }
   /** Searches a part again from another seed. */
   | { kind: 'again'; part: number; seed: number }
-  /** `first`: on the face at the left of the way from v to w, seen from outside. */
+  /**
+   * `first`: on the face at the left of the way from v to w, seen from outside. Without a height the one that was asked
+   * for before stays; `auto` without one forgets both.
+   */
   | { kind: 'flap'; edge: EdgeName; side: FlapChoiceSide; height_mm?: number }
   /** A piece stays at this place: the lower left corner of its box, and its turn. */
   | { kind: 'place'; piece: number; sheet: number; x_mm: number; y_mm: number; turn_deg: number }

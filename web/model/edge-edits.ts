@@ -52,6 +52,33 @@ function giftAt(edges: SheetEdges, edge: SheetEdge): DocumentEdit | null {
   return face === undefined ? null : { kind: 'assign', faces: [face], part: other.part + 1 };
 }
 
+/** The flaps of each place as an edit names them: the piece of this side lies at the left of the edge. */
+const sideOf = {
+  here: 'first',
+  there: 'second',
+  both: 'both',
+} as const satisfies Partial<Record<FlapPlace, FlapChoiceSide>>;
+
+/** Makes the flaps of a cut higher or lower where they are; null without any. */
+export function heightEdit(
+  edges: SheetEdges,
+  edge: SheetEdge,
+  height: number,
+): DocumentEdit | null {
+  const place = flapPlace(edges, edge);
+  if (place === 'none') return null;
+  return { kind: 'flap', edge: edge.name, side: sideOf[place], height_mm: height };
+}
+
+function addFlaps(edits: Edits, { name: edge }: SheetEdge, place: FlapPlace): void {
+  const flap = (side: FlapChoiceSide): DocumentEdit => ({ kind: 'flap', edge, side });
+  if (place === 'here') edits.set('turn-flap', flap(sideOf.there));
+  if (place === 'there') edits.set('turn-flap', flap(sideOf.here));
+  if (place !== 'both') edits.set('both-flaps', flap('both'));
+  if (place !== 'none') edits.set('no-flap', flap('none'));
+  edits.set('usual-flap', flap('auto'));
+}
+
 /**
  * The edits for all that can be done at an edge now; an edge at which the model ends has none.
  *
@@ -65,15 +92,8 @@ export function edgeEdits(edges: SheetEdges, edge: SheetEdge, lock: LockKind = '
     if (lock === 'free') edits.set('cut', { kind: 'cut', edge: name });
     return addLocks(edits, edge, lock);
   }
-  const flap = (side: FlapChoiceSide): DocumentEdit => ({ kind: 'flap', edge: name, side });
-  const place = flapPlace(edges, edge);
   if (lock === 'free') edits.set('join', { kind: 'join', edge: name });
-  // The piece of this side lies at the left of the edge, which is the first one.
-  if (place === 'here') edits.set('turn-flap', flap('second'));
-  if (place === 'there') edits.set('turn-flap', flap('first'));
-  if (place !== 'both') edits.set('both-flaps', flap('both'));
-  if (place !== 'none') edits.set('no-flap', flap('none'));
-  edits.set('usual-flap', flap('auto'));
+  addFlaps(edits, edge, flapPlace(edges, edge));
   const gift = giftAt(edges, edge);
   if (gift && lock === 'free') edits.set('give-face', gift);
   return addLocks(edits, edge, lock);

@@ -1,4 +1,5 @@
 /** Makes the nets of a file a job's: which faces belong together, what is cut, and which flaps there are. */
+import { flapHeights } from './default-options.js';
 import { FileFaces, type Triangles } from './file-faces.js';
 import type { FileNets } from './file-nets.js';
 import { Groups } from './groups.js';
@@ -10,9 +11,6 @@ import { cross, direction, dot, length, minus, vectorAt, type Vector } from './v
  * below a tenth of that, and the floats that the model is told in are not more precise for small faces.
  */
 const flat = (0.01 * Math.PI) / 180;
-
-/** Millimetres; what the engine takes for the height of a flap. */
-const flapHeights = { least: 1, most: 50 } as const;
 
 /** An edge of the model, as the file has it. */
 interface Edge {

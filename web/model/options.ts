@@ -1,5 +1,5 @@
 /** The table of options: parsing, help, defaults and the report's echo all come from here. */
-import { defaultOptions } from './default-options.js';
+import { defaultOptions, flapHeights } from './default-options.js';
 import { fillRange, widestHole } from './holes.js';
 import type { JobOptions } from './job-options.js';
 import { languages, usualLanguage } from './languages.js';
@@ -84,7 +84,11 @@ export const rows = {
   paper: row('SIZE', 'A4', paper),
   orientation: row('NAME', defaultOptions.orientation, choice(['auto', 'portrait', 'landscape'])),
   margin: row('MM', defaultOptions.margin, decimal(0, 1000)),
-  flaps: row('MM|none', defaultOptions.flapHeight, wordOr('none', decimal(1, 50))),
+  flaps: row(
+    'MM|none',
+    defaultOptions.flapHeight,
+    wordOr('none', decimal(flapHeights.least, flapHeights.most)),
+  ),
   'flap-angle': row('DEG', defaultOptions.flapAngle, decimal(10, 60)),
   'flap-style': row('NAME', defaultOptions.flapStyle, choice(['edge', 'run', 'zigzag'])),
   'flap-side': row('NAME', 'one', choice(['one', 'alternate', 'both'])),

@@ -1,5 +1,6 @@
 import { cutPairs, edgeLength } from './borders.js';
 import type { JobResult, NamedSeam, Piece } from './job.js';
+import { flapHeight } from './sheet-flaps.js';
 
 /** A seam with what it takes on paper. */
 export interface MeasuredSeam {
@@ -14,14 +15,6 @@ export interface MeasuredSeam {
 
 /** Shorter seams hold by their neighbours, so the engine wants no flaps there; mm. */
 const wantedLength = 4;
-
-/** How far a flap reaches out from its base, mm. */
-function flapHeight(corners: Float64Array, flap: number): number {
-  const at = (corner: number, axis: number): number => corners[8 * flap + 2 * corner + axis]!;
-  const [x, y] = [at(3, 0) - at(0, 0), at(3, 1) - at(0, 1)];
-  const [topX, topY] = [at(1, 0) - at(0, 0), at(1, 1) - at(0, 1)];
-  return Math.abs(x * topY - y * topX) / Math.hypot(x, y);
-}
 
 /** Lengths of edges of the model on paper. */
 function edgeLengths(pieces: readonly Piece[]): Map<number, number> {

@@ -4,8 +4,8 @@ type Point = readonly [x: number, y: number];
 
 /** An edge that is lit on a sheet; mm, y up, from the sheet's lower left. */
 export interface EdgeLight {
-  /** The edge that is meant, what it is glued to, or the way between their middles. */
-  kind: 'own' | 'partner' | 'way';
+  /** The edge that is meant, what it is glued to, the way between their middles, or where a hand takes its flap. */
+  kind: 'own' | 'partner' | 'way' | 'grip';
   from: Point;
   to: Point;
 }

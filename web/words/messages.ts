@@ -81,6 +81,8 @@ export interface EngineMessages {
   'flattened-faces': Counted & { distance: number };
   'flipped-faces': Counted;
   'halved-edges': Counted;
+  /** And how many edges a hole may have that is filled. */
+  'huge-holes': Counted & { edges: number };
   'ignored-elements': Counted & { points: number; lines: number; curves: number; surfaces: number };
   'inner-bodies': Counted;
   'merged-two-sided': Counted;
@@ -261,6 +263,8 @@ export interface OwnMessages {
   'file-nets-kept': { pieces: number; uncut: number; size: 'file' | 'other' };
   'file-nets-lost': { what: 'none' | 'simplified' | 'repaired' | 'flat' };
   'file-nets-unused': { pieces: number };
+  /** Of a run that keeps the nets of its file. */
+  'parts-unused': { parts: number };
   'fold-nets-unused': { pieces: number };
   'pdo-unused': { hidden: number; texts: number; images: number };
   'posed-skins': Counted;

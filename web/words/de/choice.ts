@@ -13,6 +13,8 @@ export const choice: Words['choice'] = {
   tooMuch: (fault) =>
     `Das ist zu viel: Es sind ${excess(fault)}. Wähle ein Modell und was dazugehört.`,
   notLoaded: (file) => `„${file}“ lässt sich nicht laden.`,
+  notLetIn: (file) =>
+    `„${file}“ lässt sich nicht laden: Die Datei liegt auf einer anderen Website, und Browser holen sie nur, wenn beide Websites es erlauben. Speichere sie auf deinem Gerät und zieh sie hierher.`,
   unreadable: (file) =>
     `„${file}“ lässt sich nicht lesen: Es ist ein Ordner, wurde verschoben oder darf nicht geöffnet werden.`,
   unreadableDrop: (file) =>

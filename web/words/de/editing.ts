@@ -36,6 +36,7 @@ export const edges: Words['edges'] = {
   joined: (pieces) => `Zusammengefügt. ${pieces}`,
   noRoomForFlap: 'Auf dieser Seite ist kein Platz für eine Lasche.',
   noRoomForFlaps: 'Für zwei Laschen ist nicht genug Platz.',
+  roomForFlap: (height) => `Hier ist nur Platz für ${figure(height)} mm.`,
   notFound: (text) => `Keine Kante und kein Teil heißt ${text}.`,
   place: (title, number, of) => `${title}: ${figure(number)} von ${figure(of)}`,
   show: 'Zeigen',
@@ -98,6 +99,8 @@ export const changes: Words['changes'] = {
     none: (name) => `Lasche von ${anEdge(name)} entfernt`,
     auto: (name) => `Lasche von ${anEdge(name)} wie üblich`,
   },
+  flapHeight: (edge, height) => `Lasche von ${edge ?? 'einer Kante'} ${figure(height)} mm hoch`,
+  pieceFlaps: (piece) => `Laschen von ${piece ?? 'einem Teil'}`,
   lock: (as, name, piece) => {
     const kind = { fold: 'nie schneiden', cut: 'immer schneiden', free: 'frei gegeben' }[as];
     if (name !== null) return `${kind} an ${name}`;

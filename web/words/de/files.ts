@@ -309,6 +309,8 @@ export const fileMessages = {
     )({ count: number }),
   'flipped-faces': was('Fläche', 'umgedreht, damit bei allen dieselbe Seite außen ist'),
   'halved-edges': was('Kante', 'halbiert, weil zwei Kanten dieselben Ecken verbanden'),
+  'huge-holes': ({ count: number, edges }) =>
+    `${count(number, 'Loch bleibt', 'Löcher bleiben')} offen: Nur Löcher mit höchstens ${figure(edges)} Kanten werden gefüllt`,
   'ignored-elements': ignoredElements,
   'inner-bodies': ({ count: number }) =>
     `${count(number, 'Körper liegt', 'Körper liegen')} in einem anderen, wo ${choose(number, 'ihn', 'sie')} niemand sehen wird (--inside drop lässt ${choose(number, 'ihn', 'sie')} weg)`,

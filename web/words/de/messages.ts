@@ -279,7 +279,7 @@ export const messages: Table = {
     `das Teil ${figure(piece)} gibt es nicht: Es gibt ${figure(number)}`,
   'not-pinned': ({ piece }) => `Teil ${figure(piece)} ist nicht festgehalten`,
   'not-together': () =>
-    'nur Änderungen, die Abschnitte teilen und vereinen, lassen sich auf einmal machen',
+    'nur Änderungen an Laschen allein, oder solche, die Abschnitte teilen und vereinen, lassen sich auf einmal machen',
   'no-legend': () => 'kein Blatt hat Platz für die Zeichenerklärung',
   'beyond-page': ({ by_mm }) =>
     `für diesen Drucker korrigiert, ragen Linien ${fixed(by_mm, 1)} mm über den Rand der Seite: Wähle einen breiteren Rand`,

@@ -262,6 +262,8 @@ export const readerMessages = {
     `die Datei bringt ${count(pieces, 'eigenes Netz', 'eigene Netze')} mit; neue wurden gemacht; um ${choose(pieces, 'es', 'sie')} zu behalten, wähle das, wenn du das Modell ansiehst (--nets file)`,
   'fold-nets-unused': ({ pieces }) =>
     `die Datei bringt ${count(pieces, 'eigenes Netz', 'eigene Netze')} mit, ${choose(pieces, 'das nicht benutzt wurde', 'die nicht benutzt wurden')}: Ihr gefaltetes Modell wurde neu abgewickelt`,
+  'parts-unused': ({ parts }) =>
+    `es ${choose(parts, 'war', 'waren')} ${count(parts, 'Abschnitt', 'Abschnitte')} gewünscht, aber die Netze der Datei haben ihre eigenen, und die blieben`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `nicht benutzt: ${kinds([
       [hidden, 'ausgeschalteter Körper', 'ausgeschaltete Körper'],

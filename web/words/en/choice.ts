@@ -11,6 +11,8 @@ export const choice = {
   tooMuch: (fault: FileExcess): string =>
     `That is too much: it has ${excess(fault)}. Choose a model and what belongs to it.`,
   notLoaded: (file: string): string => `“${file}” cannot be loaded.`,
+  notLetIn: (file: string): string =>
+    `“${file}” cannot be loaded: it lies on another site, and browsers only fetch it from here if both sites allow that. Save the file on your device and drop it here.`,
   unreadable: (file: string): string =>
     `“${file}” cannot be read: it is a folder, or it was moved, or may not be opened.`,
   unreadableDrop: (file: string): string =>

@@ -47,6 +47,9 @@ export const edges = {
   joined: (pieces: string): string => `Glued together. ${pieces}`,
   noRoomForFlap: 'There is no room for a flap on that side.',
   noRoomForFlaps: 'There is not enough room for two flaps.',
+  /** mm. */
+  roomForFlap: (height: number): string =>
+    `There is room for ${figure(height)} mm here, not for more.`,
   notFound: (text: string): string => `No edge and no piece is called ${text}.`,
   /** Which of several places it is. */
   place: (title: string, number: number, of: number): string =>
@@ -123,6 +126,9 @@ export const changes = {
     none: (edge: string | null): string => `flap of ${edge ?? 'an edge'} taken away`,
     auto: (edge: string | null): string => `flap of ${edge ?? 'an edge'} as usual`,
   },
+  flapHeight: (edge: string | null, height: number): string =>
+    `flap of ${edge ?? 'an edge'} ${figure(height)} mm high`,
+  pieceFlaps: (piece: string | null): string => `flaps of ${piece ?? 'a piece'}`,
   lock: (as: LockKind, edge: string | null, piece: string | null): string => {
     const kind = { fold: 'never cut', cut: 'always cut', free: 'lock taken away' }[as];
     if (edge !== null) return `${kind} at ${edge}`;

@@ -305,6 +305,8 @@ export const fileMessages = {
     )({ count: number }),
   'flipped-faces': was('face', 'turned over, so that all have the same side outside'),
   'halved-edges': was('edge', 'halved, since two edges connected the same vertices'),
+  'huge-holes': ({ count: number, edges }) =>
+    `${count(number, 'hole')} ${choose(number, 'stays', 'stay')} open: only holes of at most ${figure(edges)} edges are filled`,
   'ignored-elements': ignoredElements,
   'inner-bodies': ({ count: number }) =>
     `${count(number, 'body lies', 'bodies lie')} inside another one, where nobody will see ${choose(number, 'it', 'them')} (--inside drop leaves ${choose(number, 'it', 'them')} out)`,

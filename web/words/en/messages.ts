@@ -269,7 +269,8 @@ export const messages: Table = {
   'no-piece': ({ piece, pieces: all }) =>
     `there is no piece ${figure(piece)}: there are ${figure(all)}`,
   'not-pinned': ({ piece }) => `piece ${figure(piece)} is not pinned`,
-  'not-together': () => 'only edits that split and merge parts can be made in one go',
+  'not-together': () =>
+    'only edits of flaps alone, or edits that split and merge parts, can be made in one go',
   'no-legend': () => 'no sheet has room for the legend',
   'beyond-page': ({ by_mm }) =>
     `corrected for this printer, lines run ${fixed(by_mm, 1)} mm over the edge of the page: choose a wider margin`,

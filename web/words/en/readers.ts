@@ -259,6 +259,8 @@ export const readerMessages = {
     `the file brings ${count(pieces, 'net')} of its own; new ones were made; to keep ${choose(pieces, 'it', 'them')}, choose that when the model is checked (--nets file)`,
   'fold-nets-unused': ({ pieces }) =>
     `the file brings ${count(pieces, 'net')} of its own, which ${choose(pieces, 'was', 'were')} not used: its folded model was unfolded anew`,
+  'parts-unused': ({ parts }) =>
+    `${count(parts, 'part')} ${choose(parts, 'was', 'were')} asked for, but the nets of the file have parts of their own, which were kept`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `not used: ${kinds([
       [hidden, 'body that is switched off', 'bodies that are switched off'],

@@ -13,6 +13,8 @@ export const choice: Words['choice'] = {
   tooMuch: (fault) =>
     `Eso es demasiado: tiene ${excess(fault)}. Elige un modelo y lo que va con él.`,
   notLoaded: (file) => `«${file}» no se puede cargar.`,
+  notLetIn: (file) =>
+    `«${file}» no se puede cargar: está en otro sitio web, y los navegadores solo lo traen si los dos sitios lo permiten. Guarda el archivo en tu dispositivo y suéltalo aquí.`,
   unreadable: (file) =>
     `«${file}» no se puede leer: es una carpeta, se movió o no está permitido abrirlo.`,
   unreadableDrop: (file) => `«${file}» no se puede leer: se movió o no está permitido abrirlo.`,

@@ -33,6 +33,7 @@ export const edges: Words['edges'] = {
   joined: (pieces) => `Unido. ${pieces}`,
   noRoomForFlap: 'En ese lado no hay sitio para una pestaña.',
   noRoomForFlaps: 'No hay sitio para dos pestañas.',
+  roomForFlap: (height) => `Aquí solo hay sitio para ${figure(height)} mm.`,
   notFound: (text) => `Ninguna arista y ninguna pieza se llama ${text}.`,
   place: (title, number, of) => `${title}: ${figure(number)} de ${figure(of)}`,
   show: 'Mostrar',
@@ -96,6 +97,8 @@ export const changes: Words['changes'] = {
     none: (name) => `quitar la pestaña de ${anEdge(name)}`,
     auto: (name) => `pestaña de ${anEdge(name)} como siempre`,
   },
+  flapHeight: (edge, height) => `pestaña de ${edge ?? 'una arista'} de ${figure(height)} mm`,
+  pieceFlaps: (piece) => `pestañas de ${piece ?? 'una pieza'}`,
   lock: (as, name, piece) => {
     const kind = { fold: 'no cortar nunca', cut: 'cortar siempre', free: 'dejar libre' }[as];
     if (name !== null) return `${kind} en ${name}`;

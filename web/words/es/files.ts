@@ -334,6 +334,8 @@ export const fileMessages = {
     ['se partió', 'se partieron'],
     'en dos, porque dos aristas unían los mismos vértices',
   ),
+  'huge-holes': ({ count: number, edges }) =>
+    `${count(number, 'agujero se queda abierto', 'agujeros se quedan abiertos')}: solo se rellenan agujeros de ${figure(edges)} aristas como mucho`,
   'ignored-elements': ignoredElements,
   'inner-bodies': ({ count: number }) =>
     `${count(number, 'cuerpo está', 'cuerpos están')} dentro de otro, donde nadie ${choose(number, 'lo', 'los')} verá (--inside drop ${choose(number, 'lo', 'los')} deja fuera)`,

@@ -270,7 +270,8 @@ export const messages: Table = {
   'no-piece': ({ piece, pieces: number }) =>
     `la pieza ${figure(piece)} no existe: hay ${figure(number)}`,
   'not-pinned': ({ piece }) => `la pieza ${figure(piece)} no está fijada`,
-  'not-together': () => 'solo los cambios que dividen y unen partes se pueden hacer de una vez',
+  'not-together': () =>
+    'solo los cambios de pestañas, o los que dividen y unen partes, se pueden hacer de una vez',
   'no-legend': () => 'ninguna hoja tiene sitio para la leyenda',
   'beyond-page': ({ by_mm }) =>
     `al corregir para esta impresora, hay líneas que se salen ${fixed(by_mm, 1)} mm del borde de la página: elige un margen más ancho`,

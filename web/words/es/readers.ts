@@ -272,6 +272,8 @@ export const readerMessages = {
     `para ${choose(pieces, 'conservarla', 'conservarlas')}, elígelo al revisar el modelo (--nets file)`,
   'fold-nets-unused': ({ pieces }) =>
     `el archivo trae ${counted.templates(pieces)} ${choose(pieces, 'propia, que no se usó', 'propias, que no se usaron')}: su modelo plegado se desplegó de nuevo`,
+  'parts-unused': ({ parts }) =>
+    `se ${choose(parts, 'pidió', 'pidieron')} ${count(parts, 'parte', 'partes')}, pero las plantillas del archivo tienen las suyas, y esas se conservaron`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `no se usa: ${kinds([
       [hidden, 'cuerpo apagado', 'cuerpos apagados'],

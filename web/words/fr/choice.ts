@@ -13,6 +13,8 @@ export const choice: Words['choice'] = {
   tooMuch: (fault) =>
     `C’est trop\u202f: il y a ${excess(fault)}. Choisis un modèle et ce qui va avec.`,
   notLoaded: (file) => `Impossible de charger ${quoted(file)}.`,
+  notLetIn: (file) =>
+    `Impossible de charger ${quoted(file)}\u202f: il se trouve sur un autre site, et les navigateurs ne vont le chercher que si les deux sites le permettent. Enregistre-le sur ton appareil et dépose-le ici.`,
   unreadable: (file) =>
     `Impossible de lire ${quoted(file)}\u202f: c’est un dossier, ou bien il a été déplacé, ou il est interdit de l’ouvrir.`,
   unreadableDrop: (file) =>

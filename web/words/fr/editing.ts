@@ -34,6 +34,7 @@ export const edges: Words['edges'] = {
   joined: (pieces) => `Assemblé. ${pieces}`,
   noRoomForFlap: 'Il n’y a pas de place pour une languette de ce côté.',
   noRoomForFlaps: 'Il n’y a pas assez de place pour deux languettes.',
+  roomForFlap: (height) => `Il n’y a de place ici que pour ${figure(height)} mm.`,
   notFound: (text) => `Aucune arête et aucune pièce ne s’appelle ${text}.`,
   place: (title, number, of) => `${title}\u202f: ${figure(number)} sur ${figure(of)}`,
   show: 'Montrer',
@@ -97,6 +98,8 @@ export const changes: Words['changes'] = {
     none: (name) => `languette ${ofEdge(name)} enlevée`,
     auto: (name) => `languette ${ofEdge(name)} comme d’habitude`,
   },
+  flapHeight: (edge, height) => `languette de ${edge ?? 'une arête'} haute de ${figure(height)} mm`,
+  pieceFlaps: (piece) => `languettes de ${piece ?? 'une pièce'}`,
   lock: (as, name, piece) => {
     const kind = { fold: 'ne jamais couper', cut: 'toujours couper', free: 'verrou enlevé' }[as];
     if (name !== null) return `${kind} à l’arête ${name}`;

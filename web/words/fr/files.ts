@@ -344,6 +344,11 @@ export const fileMessages = {
     'arête a été coupée en deux, car deux arêtes reliaient les mêmes sommets',
     'arêtes ont été coupées en deux, car deux arêtes reliaient les mêmes sommets',
   ),
+  'huge-holes': ({ count, edges }) =>
+    counted(
+      'trou reste ouvert\u202f: seuls les trous d’au plus',
+      'trous restent ouverts\u202f: seuls les trous d’au plus',
+    )({ count }) + ` ${figure(edges)} arêtes sont comblés`,
   'ignored-elements': ignoredElements,
   'inner-bodies': counted(
     'corps est à l’intérieur d’un autre, où personne ne le verra (--inside drop le laisse de côté)',

@@ -285,7 +285,7 @@ export const messages: Table = {
     `il n’y a pas de pièce ${figure(piece)}\u202f: il y en a ${figure(number)}`,
   'not-pinned': ({ piece }) => `la pièce ${figure(piece)} n’est pas fixée`,
   'not-together': () =>
-    'seules les modifications qui divisent et réunissent des parties peuvent se faire d’un seul coup',
+    'seules les modifications de languettes, ou celles qui divisent et réunissent des parties, peuvent se faire d’un seul coup',
   'no-legend': () => 'aucune feuille n’a de place pour la légende',
   'beyond-page': ({ by_mm }) =>
     `avec la correction pour cette imprimante, des lignes dépassent le bord de la page de ${fixed(by_mm, 1)} mm\u202f: choisis une marge plus large`,

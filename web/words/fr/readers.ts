@@ -264,6 +264,8 @@ export const readerMessages = {
     `le fichier apporte ${choose(pieces, 'son propre patron', `${figure(pieces)} patrons à lui`)}\u202f; de nouveaux ont été faits\u202f; pour ${choose(pieces, 'le', 'les')} garder, fais ce choix quand tu regardes le modèle (--nets file)`,
   'fold-nets-unused': ({ pieces }) =>
     `le fichier apporte ${choose(pieces, 'son propre patron, qui n’a pas servi', `${figure(pieces)} patrons à lui, qui n’ont pas servi`)}\u202f: son modèle plié a été déplié à nouveau`,
+  'parts-unused': ({ parts }) =>
+    `${count(parts, 'partie', 'parties')} ${parts > 1 ? 'étaient demandées' : 'était demandée'}, mais les patrons du fichier ont les leurs, qui ont été gardées`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `non utilisé\u202f: ${kinds([
       [hidden, 'corps désactivé', 'corps désactivés'],

@@ -11,6 +11,8 @@ export const choice: Words['choice'] = {
   tooMuch: (fault) =>
     `多すぎます。${excess(fault)}。モデルと、それに必要なものだけを選んでください。`,
   notLoaded: (file) => `「${file}」を読み込めません。`,
+  notLetIn: (file) =>
+    `「${file}」を読み込めません。ほかのサイトにあるファイルは、両方のサイトが許可しているときだけ読み込めます。ファイルを端末に保存して、ここにドロップしてください。`,
   unreadable: (file) =>
     `「${file}」を読めません。フォルダーであるか、移動されたか、開くことが許可されていません。`,
   unreadableDrop: (file) => `「${file}」を読めません。移動されたか、開くことが許可されていません。`,

@@ -40,6 +40,7 @@ export const edges: Words['edges'] = {
   joined: (pieces) => `つなげました。${pieces}`,
   noRoomForFlap: 'その側には、のりしろの場所がありません。',
   noRoomForFlaps: 'のりしろ2つ分の場所がありません。',
+  roomForFlap: (height) => `ここには${figure(height)} mmの場所しかありません。`,
   notFound: (text) => `「${text}」という辺も部品もありません。`,
   place: (title, number, of) => `${title}：${figure(number)}／${figure(of)}`,
   show: '見る',
@@ -101,6 +102,8 @@ export const changes: Words['changes'] = {
     none: (number) => `${edgeOf(number)}ののりしろをなくす`,
     auto: (number) => `${edgeOf(number)}ののりしろをおまかせに`,
   },
+  flapHeight: (edge, height) => `${edge ?? '辺'}ののりしろの高さ${figure(height)} mm`,
+  pieceFlaps: (piece) => `${piece ?? '部品'}ののりしろ`,
   lock: (as, number, piece) => {
     const kind = { fold: '切らない', cut: '必ず切る', free: '固定を外す' }[as];
     if (number !== null) return `${edgeOf(number)}：${kind}`;

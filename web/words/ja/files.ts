@@ -310,6 +310,8 @@ export const fileMessages = {
     `${figure(count)}個の面を、描かれたとおり完全に平らにしました。角が動いた距離は、モデルの単位で${rounded(distance)}以下です`,
   'flipped-faces': told('face', 'を裏返して、すべての面の表側をそろえました'),
   'halved-edges': told('edge', 'を半分に分けました。2本の辺が同じ頂点を結んでいたためです'),
+  'huge-holes': ({ count, edges }) =>
+    `${figure(count)}個の穴は開いたままです。ふさげるのは、辺が${figure(edges)}本までの穴だけです`,
   'ignored-elements': ignoredElements,
   'inner-bodies': ({ count }) =>
     `${figure(count)}個の立体が、ほかの立体の中にあり、外から見えません（--inside dropで省けます）`,

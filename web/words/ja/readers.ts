@@ -239,6 +239,8 @@ export const readerMessages = {
     `ファイルに展開図が${figure(pieces)}個入っていますが、新しい展開図を作りました。ファイルのものを使うには、モデルを確認するときにそれを選んでください（--nets file）`,
   'fold-nets-unused': ({ pieces }) =>
     `ファイルに展開図が${figure(pieces)}個入っていますが、使っていません。折り上がったモデルを新しく展開しました`,
+  'parts-unused': ({ parts }) =>
+    `${figure(parts)}個のブロックが指定されましたが、ファイルの展開図の分け方をそのまま使いました`,
   'pdo-unused': ({ hidden, texts, images }) =>
     `使わないもの：${kinds([
       [hidden, 'オフになっている立体'],

@@ -17,7 +17,7 @@ function wayFrom(at: number, from: number, to: number): -1 | 0 | 1 {
   return at > to - scrolling.reach ? 1 : 0;
 }
 
-export interface PieceDragListener {
+export interface SheetDragListener {
   /** Whether what lies at a place can be dragged from there. */
   isLiftable(place: SheetPlace, isFinger: boolean): boolean;
   /** Takes it up. */
@@ -29,7 +29,7 @@ export interface PieceDragListener {
 }
 
 /** Drags over the sheets with mouse, pen or finger. Nothing is selected by it, and no click comes of it. */
-export class PieceDrag extends Panel {
+export class SheetDrag extends Panel {
   private readonly list = this.find('#sheets', HTMLOListElement);
   private readonly view = this.find('#mat-view', HTMLElement);
   /** A press on something that can be dragged, which may still become a drag. */
@@ -43,7 +43,7 @@ export class PieceDrag extends Panel {
   constructor(
     place: StudioPlace,
     private readonly placeOf: (event: MouseEvent) => SheetPlace | null,
-    private readonly listener: PieceDragListener,
+    private readonly listener: SheetDragListener,
   ) {
     super(place);
     const { list } = this;
