@@ -38,7 +38,7 @@ export const examples = sources.flatMap(examplesIn);
 
 /**
  * Examples with hosts and hashes that each reader has others of: they run nowhere as they stand. Frames and hashes
- * have tests of their own in `tests/e2e`.
+ * have tests of their own in `tests/e2e` and `tests/web`.
  */
 export const sketches = examples.filter(({ code }) => /\bpaper\.example\b|…/.test(code));
 
