@@ -36,9 +36,15 @@ function examplesIn(source: string): Example[] {
 
 export const examples = sources.flatMap(examplesIn);
 
+/**
+ * Examples with hosts and hashes that each reader has others of: they run nowhere as they stand. Frames and hashes
+ * have tests of their own in `tests/e2e` and `tests/web`.
+ */
+export const sketches = examples.filter(({ code }) => /\bpaper\.example\b|…/.test(code));
+
 /** Those in one of some languages, with a name for reports. */
 export function examplesOf(...languages: string[]): (Example & { name: string })[] {
   return examples
-    .filter(({ language }) => languages.includes(language))
+    .filter((example) => languages.includes(example.language) && !sketches.includes(example))
     .map((example) => ({ ...example, name: `${example.source}:${example.line}` }));
 }
