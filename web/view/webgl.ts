@@ -1,9 +1,12 @@
+/** Of a page or of a worker. */
+interface Canvas {
+  getContext(kind: 'webgl2', options: WebGLContextAttributes): WebGL2RenderingContext | null;
+}
+
 /** Starts WebGL 2 on a canvas, with smooth edges over whatever lies below; null where there is none. */
-export function startWebGl(
-  canvas: HTMLCanvasElement | OffscreenCanvas,
-): WebGL2RenderingContext | null {
+export function startWebGl(canvas: Canvas): WebGL2RenderingContext | null {
   const options: WebGLContextAttributes = { alpha: true, antialias: true };
-  return canvas.getContext('webgl2', options) as WebGL2RenderingContext | null;
+  return canvas.getContext('webgl2', options);
 }
 
 /** Whether software stands in for a graphics card, and so takes its time from whatever else runs. */

@@ -44,7 +44,7 @@ export type Told = (words: ViewerWords) => string;
 export type Offer = 'show' | 'unfold' | 'cancel' | null;
 
 export class ViewerRoom {
-  private readonly picture = make('div', { className: 'picture', tabIndex: 0 });
+  private readonly picture = make('div', { className: 'picture' });
   private readonly model = part(make('div', { className: 'model' }, this.picture), 'model');
   private readonly nets = part(make('div', { className: 'nets', tabIndex: 0 }), 'nets');
   private readonly image = make('img', { alt: '' });
@@ -81,7 +81,6 @@ export class ViewerRoom {
       onPaint: () => undefined,
     });
     this.status.setAttribute('role', 'status');
-    this.picture.setAttribute('role', 'img');
     const slot = make('slot', { name: 'poster' }, this.image);
     this.poster.append(slot, this.go);
     this.controls.append(this.play, this.slider, this.downloads);
@@ -118,7 +117,10 @@ export class ViewerRoom {
     this.controls.hidden = !look.controls || !isShown || !canFold(exhibit);
     if (isShown) {
       const about = { name: alt || exhibit.title, pieces: exhibit.pieces.length };
+      // Before, there is nothing to see, to name or to turn.
+      this.picture.setAttribute('role', 'img');
       this.picture.setAttribute('aria-label', words.model(about));
+      this.picture.tabIndex = 0;
       if (!this.model.hidden) void this.view.open();
       if (isSpokenAnew) this.fillNets(exhibit);
     }
