@@ -1,5 +1,6 @@
 # The WASM module is fetched before anything runs, so its size counts, too: what takes hardly any of a job's time is
-# compiled to be small. Learning, searches, folding, flaps and packing are not.
+# compiled to be small. Learning, searches, folding, flaps and packing are not. Moves from `engine_sources` into
+# `small_sources` what is to be smallest, and into `loop_sources` what is to be small and still vectorised.
 
 if(NOT EMSCRIPTEN)
   return()
@@ -19,10 +20,9 @@ foreach(folder mesh paper segment)
   list(REMOVE_ITEM small_sources ${fast_in_${folder}})
 endforeach()
 
-# Loops over all of a file, or a matrix: still vectorised, and a model of a million triangles is read in seconds.
-set(loops ${small_sources})
-list(FILTER loops INCLUDE REGEX "/(read|repair)/|/spectral")
-list(REMOVE_ITEM small_sources ${loops})
+list(REMOVE_ITEM engine_sources ${small_sources})
 
-set_source_files_properties(${small_sources} PROPERTIES COMPILE_OPTIONS -Oz)
-set_source_files_properties(${loops} PROPERTIES COMPILE_OPTIONS -Os)
+# Loops over all of a file, or a matrix: a model of a million triangles is read in seconds.
+set(loop_sources ${small_sources})
+list(FILTER loop_sources INCLUDE REGEX "/(read|repair)/|/spectral")
+list(REMOVE_ITEM small_sources ${loop_sources})
