@@ -33,7 +33,7 @@ test('an address says what is wrong with it', () =>
     await expect.poll(() => message(page)).toContain('“nothing.obj” cannot be loaded.');
   }));
 
-test('a model that is pasted as text is unfolded; a word is left alone', () =>
+test('a model that is pasted as text or as a file is unfolded; a word is left alone', () =>
   withStudio(async (studio) => {
     const { page } = studio;
     const paste = (text: string) =>
@@ -45,5 +45,14 @@ test('a model that is pasted as text is unfolded; a word is left alone', () =>
     await paste('a cat with 4 legs');
     await paste(objText(wavyRing(6)));
     await studio.resultOf('pasted');
+    await page.evaluate(
+      (content) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.items.add(new File([content], 'copied.obj'));
+        document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+      },
+      objText(wavyRing(8)),
+    );
+    await studio.resultOf('copied');
     expect(studio.complaints).toEqual([]);
   }));

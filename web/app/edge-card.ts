@@ -5,6 +5,7 @@ import type { StudioPlace } from './place.js';
 import type { PlaceWalk } from './place-walk.js';
 import { onPress } from './press.js';
 import { SheetCard } from './sheet-card.js';
+import { WrittenField } from './written-field.js';
 
 /** What the card says and offers. */
 export interface EdgeCardContent {
@@ -37,11 +38,9 @@ export class EdgeCard extends SheetCard {
   private readonly words = this.find('#edge-words', HTMLElement);
   private readonly outcome = this.find('#edge-outcome', HTMLElement);
   private readonly gift = this.find('#edge-gift', HTMLButtonElement);
-  private readonly height = this.find('#edge-height', HTMLInputElement);
+  private readonly heightField = this.find('#edge-height', HTMLInputElement);
+  private readonly height = new WrittenField(this.heightField, (text) => this.applyHeight(text));
   private readonly heightLabel = this.find('#edge-height-label', HTMLElement);
-  /** What the field for the height holds is neither applied nor taken back. */
-  private isMeasuring = false;
-  private content: EdgeCardContent | null = null;
   private readonly walk = this.find('#edge-walk', HTMLElement);
   private readonly walkWords = this.find('#edge-walk-words', HTMLElement);
   private readonly walkButtons = [...this.walk.querySelectorAll<HTMLButtonElement>('[data-walk]')];
@@ -52,7 +51,9 @@ export class EdgeCard extends SheetCard {
     private readonly listener: EdgeCardListener,
   ) {
     super(place, '#edge-card');
-    this.hearHeight();
+    this.heightField.min = String(flapHeights.least);
+    this.heightField.max = String(flapHeights.most);
+    this.heightField.step = String(heightStep);
     this.buttons = [...this.card.querySelectorAll<HTMLButtonElement>('[data-action]')];
     for (const button of this.buttons) {
       onPress(button, () => listener.act(button.dataset['action'] as EdgeAction));
@@ -68,18 +69,14 @@ export class EdgeCard extends SheetCard {
   /** Shows an edge, or nothing. */
   show(content: EdgeCardContent | null): void {
     this.card.hidden = content === null;
-    this.content = content;
-    if (!content) {
-      this.isMeasuring = false;
-      return;
-    }
+    if (!content) return this.height.forget();
     this.change(() => {
       this.words.textContent = content.words;
       this.outcome.textContent = content.outcome;
       this.gift.textContent = content.gift;
       this.heightLabel.hidden = content.height === null;
-      this.height.readOnly = content.busy;
-      if (!this.isMeasuring) this.showHeight(content.height);
+      this.heightField.readOnly = content.busy;
+      this.showHeight(content.height);
       this.walk.hidden = content.walk === null;
       this.walkWords.textContent = content.walk?.wordsIn(this.told) ?? '';
       for (const button of this.walkButtons) button.hidden = content.walk?.isLong !== true;
@@ -92,29 +89,14 @@ export class EdgeCard extends SheetCard {
 
   /** Shows how high the flap is, or would be, in mm. */
   showHeight(height: number | null): void {
-    this.height.value = height === null ? '' : String(Number(height.toFixed(1)));
+    this.height.show(height === null ? '' : String(Number(height.toFixed(1))));
   }
 
-  private hearHeight(): void {
-    const { height } = this;
-    height.min = String(flapHeights.least);
-    height.max = String(flapHeights.most);
-    height.step = String(heightStep);
-    height.addEventListener('input', () => (this.isMeasuring = true));
-    height.addEventListener('change', () => {
-      this.isMeasuring = false;
-      // A step from where a narrow place has left a flap is no whole one, which is no fault.
-      const asked = height.valueAsNumber;
-      const isUsable = asked >= flapHeights.least && asked <= flapHeights.most;
-      if (isUsable && !height.readOnly) this.listener.setHeight(asked);
-      else this.showHeight(this.content?.height ?? null);
-    });
-    height.addEventListener('keydown', (event) => {
-      // While it is being written, Escape takes a height back and leaves the card open.
-      if (event.key !== 'Escape' || !this.isMeasuring) return;
-      event.stopPropagation();
-      this.isMeasuring = false;
-      this.showHeight(this.content?.height ?? null);
-    });
+  private applyHeight(text: string): void {
+    // A step from where a narrow place has left a flap is no whole one, which is no fault.
+    const asked = Number(text);
+    const isUsable = asked >= flapHeights.least && asked <= flapHeights.most;
+    if (isUsable && !this.heightField.readOnly) this.listener.setHeight(asked);
+    else this.height.forget();
   }
 }

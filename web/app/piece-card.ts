@@ -4,6 +4,7 @@ import { make } from './dom.js';
 import type { StudioPlace } from './place.js';
 import { onPress } from './press.js';
 import { SheetCard } from './sheet-card.js';
+import { WrittenField } from './written-field.js';
 
 /** Degrees and mm of one press, and of one with Shift. */
 const fineTurn = { plain: 5, shift: 1 };
@@ -60,7 +61,8 @@ export interface PieceCardListener {
 /** The card of the piece that is chosen. */
 export class PieceCard extends SheetCard {
   private readonly words = this.find('#piece-words', HTMLElement);
-  private readonly name = this.find('#piece-name', HTMLInputElement);
+  private readonly nameField = this.find('#piece-name', HTMLInputElement);
+  private readonly name = new WrittenField(this.nameField, (text) => this.listener.rename(text));
   private readonly nameLabel = this.find('#piece-name-label', HTMLElement);
   private readonly sheet = this.find('#piece-sheet', HTMLSelectElement);
   private readonly pin = this.find('#piece-pin', HTMLButtonElement);
@@ -71,8 +73,6 @@ export class PieceCard extends SheetCard {
   /** What has to wait while something else changes. */
   private readonly buttons: readonly HTMLButtonElement[];
   private content: PieceCardContent | null = null;
-  /** Whether the field for the name holds what was neither applied nor taken back. */
-  private isNaming = false;
 
   constructor(
     place: StudioPlace,
@@ -96,17 +96,13 @@ export class PieceCard extends SheetCard {
     button('#piece-close', () => listener.close());
     this.sheet.addEventListener('change', () => listener.takeTo(Number(this.sheet.value)));
     this.hearMoves();
-    this.hearName();
   }
 
   /** Shows a piece, or nothing. */
   show(content: PieceCardContent | null): void {
     this.content = content;
     this.card.hidden = content === null;
-    if (!content) {
-      this.isNaming = false;
-      return;
-    }
+    if (!content) return this.name.forget();
     this.change(() => this.fill(content));
   }
 
@@ -119,8 +115,8 @@ export class PieceCard extends SheetCard {
     const { pieces: told, speech } = this.told;
     this.words.textContent = content.words;
     this.nameLabel.hidden = content.name === null;
-    this.name.readOnly = content.busy;
-    if (!this.isNaming) this.name.value = content.name ?? '';
+    this.nameField.readOnly = content.busy;
+    this.name.show(content.name ?? '');
     this.fillSheets(content);
     this.pin.textContent = content.isPinned ? told.letMove : told.keepHere;
     this.joining.hidden = content.joins.length === 0;
@@ -181,22 +177,6 @@ export class PieceCard extends SheetCard {
       const button = this.find(`#piece-card [data-flaps="${where}"]`, HTMLButtonElement);
       onPress(button, () => this.listener.setFlaps(where));
       return button;
-    });
-  }
-
-  private hearName(): void {
-    this.name.addEventListener('input', () => (this.isNaming = true));
-    this.name.addEventListener('change', () => {
-      if (!this.isNaming) return;
-      this.isNaming = false;
-      this.listener.rename(this.name.value.trim());
-    });
-    this.name.addEventListener('keydown', (event) => {
-      // While it is being written, Escape takes a name back and leaves the card open.
-      if (event.key !== 'Escape' || event.isComposing || !this.isNaming) return;
-      event.stopPropagation();
-      this.isNaming = false;
-      this.name.value = this.content?.name ?? '';
     });
   }
 }

@@ -50,7 +50,7 @@ const styleSheet = sharedStyleSheet(styles);
 /**
  * `<foldwright-viewer>`: a paper model to turn, unfold and download. Removed from the page it ends its work and frees
  * workers and graphics; put in again it starts afresh. What is told of it here is also in `custom-elements.json` and in
- * the tables of `docs/elements.md`, which the build and the formatter make of it.
+ * the tables of `docs/elements.md`, which the build and the formatter make of it. The file is longer than others for that.
  *
  * @tagname foldwright-viewer
  * @attr {string} lang - language of the words on the page and on paper, by its code (BCP 47): `en`, `de`, `es`, `fr` or `ja`; English without it, and for any other
