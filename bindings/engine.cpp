@@ -130,6 +130,7 @@ class TaskHandle {
       : runner_(foldwright::decode_task(bytes_from(task), surface.get())) {}
 
   bool step(double budget) { return runner_.step(static_cast<std::int64_t>(budget)); }
+  bool is_folding() const { return runner_.is_folding(); }
   BytesValue status(bool with_net) {
     return BytesValue(to_array(encode(runner_.status(with_net))));
   }
@@ -186,6 +187,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::class_<SurfaceHandle>("Surface");
   emscripten::class_<TaskHandle>("Task")
       .function("step", &TaskHandle::step)
+      .function("isFolding", &TaskHandle::is_folding)
       .function("status", &TaskHandle::status)
       .function("result", &TaskHandle::result);
   emscripten::function("createJob", &create_job, allow_raw_pointers());

@@ -54,7 +54,9 @@ std::optional<Callout> CalloutFinder::find(const LabelSpace& space, const SeamSi
     const Vec2 centre = origin_ + kStep * Vec2(x0 + dx, y0 + dy);
     if (cross(side.to - side.from, centre - side.from) <= 0) continue;
     if (!is_open(space, x0 + dx, y0 + dy)) continue;
-    if (auto found = try_at(space, side, text, sizes, centre)) return found;
+    for (const double size : sizes) {
+      if (auto found = try_at(space, side, text, centre, size)) return found;
+    }
   }
   return std::nullopt;
 }
@@ -89,17 +91,15 @@ bool CalloutFinder::is_open(const LabelSpace& space, int x, int y) {
 }
 
 std::optional<Callout> CalloutFinder::try_at(const LabelSpace& space, const SeamSide& side,
-                                             const std::string& text, std::span<const double> sizes,
-                                             const Vec2& centre) const {
+                                             const std::string& text, const Vec2& centre,
+                                             double size) const {
   const Vec2 edge = (side.to - side.from).normalized();
   const Vec2 end = 0.5 * (side.from + side.to) + kToEdge * Vec2(-edge.y(), edge.x());
-  for (const double size : sizes) {
-    for (const Vec2& along : {edge, Vec2(1, 0), Vec2(0, 1)}) {
-      const TextBox box = box_around(text, size, centre, along, clearance_);
-      if (!space.is_free(box)) continue;
-      const Stroke leader = {exit_of(box, end), end};
-      if (space.is_open(leader)) return Callout{box, size, leader};
-    }
+  for (const Vec2& along : {edge, Vec2(1, 0), Vec2(0, 1)}) {
+    const TextBox box = box_around(text, {size, clearance_}, centre, along);
+    if (!space.is_free(box)) continue;
+    const Stroke leader = {exit_of(box, end), end};
+    if (space.is_open(leader)) return Callout{box, size, leader};
   }
   return std::nullopt;
 }

@@ -36,9 +36,9 @@ class CalloutFinder {
 
   bool is_inside(const Vec2& p) const;
   bool is_open(const LabelSpace& space, int x, int y);
+  /// A text of one size around a point, whichever way it is turned.
   std::optional<Callout> try_at(const LabelSpace& space, const SeamSide& side,
-                                const std::string& text, std::span<const double> sizes,
-                                const Vec2& centre) const;
+                                const std::string& text, const Vec2& centre, double size) const;
 
   const Net& net_;
   double least_size_, clearance_;

@@ -39,7 +39,7 @@ CraftCost::CraftCost(const Mesh& mesh, const DualGraph& graph, const CraftOption
   probe_ = options_.shape;
   probe_.least = std::min(probe_.least, kLeastRoom);
   for (const double area : graph.areas) area_ += area * options_.scale * options_.scale;
-  cuts_ = craft_sides(mesh, graph, options_.scale, probe_, options_.borders);
+  cuts_ = craft_sides(mesh, graph, {options_.scale, probe_, options_.borders});
   reach_.resize(cuts_.sides.size());
   room_.assign(cuts_.sides.size(), kUnknown);
   is_stale_.assign(cuts_.sides.size(), 0);

@@ -19,13 +19,16 @@ struct EdgeRun {
 
 class Builder {
  public:
-  Builder(const Mesh& mesh, const DualGraph& graph, double scale, const FlapShape& probe,
-          std::span<const BorderRoom> borders)
-      : mesh_(mesh), graph_(graph), scale_(scale), probe_(probe), panels_(mesh) {
+  Builder(const Mesh& mesh, const DualGraph& graph, const CraftMeasure& measure)
+      : mesh_(mesh),
+        graph_(graph),
+        scale_(measure.scale),
+        probe_(measure.probe),
+        panels_(mesh) {
     for (int h = 0; h < graph.hinge_count(); ++h) {
       for (const int e : graph.hinges[h].edges) hinge_of_[e] = h;
     }
-    for (const BorderRoom& border : borders) elsewhere_[border.mesh_edge] = border.height;
+    for (const BorderRoom& border : measure.borders) elsewhere_[border.mesh_edge] = border.height;
   }
 
   CraftSides build() {
@@ -132,9 +135,8 @@ class Builder {
 
 }  // namespace
 
-CraftSides craft_sides(const Mesh& mesh, const DualGraph& graph, double scale,
-                       const FlapShape& probe, std::span<const BorderRoom> borders) {
-  return Builder(mesh, graph, scale, probe, borders).build();
+CraftSides craft_sides(const Mesh& mesh, const DualGraph& graph, const CraftMeasure& measure) {
+  return Builder(mesh, graph, measure).build();
 }
 
 }  // namespace foldwright

@@ -43,9 +43,14 @@ struct CraftSides {
   std::vector<std::vector<int>> seams_of_hinge;
 };
 
-/// `scale`: mm per model unit; `probe`: the flap that `open` is measured with. Edges at the border
-/// of the piece count where `borders` names them.
-CraftSides craft_sides(const Mesh& mesh, const DualGraph& graph, double scale,
-                       const FlapShape& probe, std::span<const BorderRoom> borders);
+/// How the sides of cuts are measured.
+struct CraftMeasure {
+  double scale;     ///< mm per model unit
+  FlapShape probe;  ///< the flap that `open` is measured with
+  /// Edges at the border of the piece count where one of these names them.
+  std::span<const BorderRoom> borders = {};
+};
+
+CraftSides craft_sides(const Mesh& mesh, const DualGraph& graph, const CraftMeasure& measure);
 
 }  // namespace foldwright

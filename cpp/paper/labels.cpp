@@ -145,7 +145,7 @@ class LabelPlacer::Work {
         if (net == task_.nets.end()) continue;
         const std::string& name = task_.names[net - task_.nets.begin()];
         for (const double size : kStandingSizes) {
-          const TextBox box = box_around(name, size, centre, Vec2(1, 0), kStandingClearance);
+          const TextBox box = box_around(name, {size, kStandingClearance}, centre, Vec2(1, 0));
           if (!space.is_free(box)) continue;
           space.take(box);
           texts_[n].boxes.push_back(box);

@@ -58,7 +58,7 @@ std::optional<Callout> OuterIdFinder::beside(const Stroke& edge, const std::stri
   const Vec2 along = (edge.to - edge.from).normalized();
   const double length = (edge.to - edge.from).norm();
   for (const double size : sizes) {
-    TextBox box = box_around(text, size, edge.from, along, kClearance);
+    TextBox box = box_around(text, {size, kClearance}, edge.from, along);
     const double spare = length - 2 * box.half_width;
     if (spare < 0) continue;
     for (int i = 0; i < kPlacesPerEdge; ++i) {
@@ -82,7 +82,7 @@ std::optional<Callout> OuterIdFinder::apart(const Stroke& edge, const std::strin
     if (offset.dot(outwards(edge)) <= 0) continue;
     for (const double size : sizes) {
       for (const Vec2& direction : {along, Vec2(1, 0)}) {
-        const TextBox box = box_around(text, size, middle + offset, direction, kClearance);
+        const TextBox box = box_around(text, {size, kClearance}, middle + offset, direction);
         if (!is_free(box)) continue;
         const Stroke leader = {exit_of(box, end), end};
         if (is_open(leader)) return Callout{box, size, leader};

@@ -48,7 +48,7 @@ class OuterNames {
   std::optional<Label> write(int piece) {
     const Surroundings around = task_.sheets.around(piece, kReach);
     for (const double size : kSizes) {
-      const TextBox text = box_around(task_.names[piece], size, Vec2::Zero(), Vec2::UnitX(), 0);
+      const TextBox text = box_around(task_.names[piece], {size}, Vec2::Zero(), Vec2::UnitX());
       const Vec2 half(text.half_width, text.half_height);
       for (const double away : kAways) {
         const auto found = find(around, piece, half, away);

@@ -59,7 +59,7 @@ struct FaceSide {
 /// if it does not go into the face.
 std::optional<TextBox> box_on(const FaceSide& side, const std::string& text, double size,
                               double clearance) {
-  TextBox box = box_around(text, size, side.from, side.along, clearance);
+  TextBox box = box_around(text, {size, clearance}, side.from, side.along);
   const double share = 2 * box.half_height / side.height;
   if (2 * box.half_width > (1 - share) * side.length) return std::nullopt;
   const double middle = 0.5 * side.length + share * (side.foot - 0.5 * side.length);
@@ -172,7 +172,7 @@ class Writer {
   }
 
   bool write_in_band(const Band& band, const std::string& text, double size) {
-    const TextBox shape = box_around(text, size, band.from, band.along, kIdClearance);
+    const TextBox shape = box_around(text, {size, kIdClearance}, band.from, band.along);
     const double spare = band.length - 2 * shape.half_width;
     const double depth = 2 * shape.half_height;
     if (spare < 0 || (band.depth > 0 && depth > band.depth)) return false;
@@ -216,7 +216,7 @@ void Writer::write_name(const Net& net, const std::string& name) {
   const std::vector<NameFace> faces = faces_from_middle(net);
   for (const double size : kNameSizes) {
     for (const NameFace& face : faces) {
-      const TextBox box = box_around(name, size, face.centre, Vec2(1, 0), kNameClearance);
+      const TextBox box = box_around(name, {size, kNameClearance}, face.centre, Vec2(1, 0));
       if (write_if_free(name, size, box)) return;
     }
   }

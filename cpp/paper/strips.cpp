@@ -43,7 +43,7 @@ std::optional<Label> label_on(const Trapezoid& half, const std::string& text) {
   for (const double size : kTextSizes) {
     const double y = 0.5 * kCapHeight * size + kTextClearance;
     const Vec2 centre(0.5 * (half.top[0] + half.top[1]), y);
-    if (holds(half, box_around(text, size, centre, Vec2(1, 0), kTextClearance - 1e-9))) {
+    if (holds(half, box_around(text, {size, kTextClearance - 1e-9}, centre, Vec2(1, 0)))) {
       return Label{text, centre, 0, size};
     }
   }

@@ -38,8 +38,9 @@ std::array<Vec2, 4> TextBox::corners() const {
   return {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
 }
 
-TextBox box_around(const std::string& text, double size, const Vec2& centre, const Vec2& along,
-                   double clearance) {
+TextBox box_around(const std::string& text, const Lettering& letters, const Vec2& centre,
+                   const Vec2& along) {
+  const auto& [size, clearance] = letters;
   const double height = std::ranges::any_of(text, is_tall) ? kCapHeight + 0.5 : kCapHeight;
   return {centre, along, 0.5 * text_width(text) * size + clearance,
           0.5 * height * size + clearance};

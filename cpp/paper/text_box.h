@@ -28,9 +28,15 @@ struct TextBox {
   std::array<Vec2, 4> corners() const;
 };
 
-/// The box of a text in a font of this size, with `clearance` around it; mm.
-TextBox box_around(const std::string& text, double size, const Vec2& centre, const Vec2& along,
-                   double clearance);
+/// How large a text is and what is kept free around it; mm.
+struct Lettering {
+  double size;  ///< of the font
+  double clearance = 0;
+};
+
+/// The box of a text around its centre.
+TextBox box_around(const std::string& text, const Lettering& letters, const Vec2& centre,
+                   const Vec2& along);
 
 /// Where the straight way from the middle of a box to a point leaves the box; the point itself if
 /// it is inside.

@@ -20,7 +20,7 @@ Labels label_learned(const JobState& state, const Component& component) {
   // An edit has chosen the numbers of its parts: what is split is not a body but a part.
   const bool is_part = !component.part_numbers.empty();
   if (is_part && options.segmenter == Segmenter::kShape) {
-    return subdivide(mesh, graph, learned.matrix, component.parts, options.seed);
+    return subdivide(mesh, graph, learned.matrix, {.parts = component.parts, .seed = options.seed});
   }
   return segment(mesh, graph, learned.matrix,
                  {.segmenter = options.segmenter,
@@ -45,7 +45,7 @@ Labels label_component(const JobState& state, Component& component) {
   Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
   const Segmenter segmenter = state.options.segmenter;
   const int learned_panels = learned.matrix.size;
-  labels = smooth_labels(mesh, component.graph, segmenter, learned_panels, std::move(labels));
+  labels = smooth_labels(mesh, component.graph, std::move(labels), {segmenter, learned_panels});
   if (segmenter == Segmenter::kShape) {
     labels = regroup_saddles(mesh, component.graph, learned_panels, std::move(labels));
   }

@@ -43,7 +43,8 @@ class CompactStage : public Stage {
     begin_round(state, queue);
   }
 
-  void complete(JobState& state, TaskQueue& queue, int task, TaskResult result, Events&) override {
+  void complete(JobState& state, TaskQueue& queue, CompletedTask done, Events&) override {
+    const auto& [task, result] = done;
     if (const auto* planned = std::get_if<PlanResult>(&result)) {
       checked(state, task, *planned);
     } else {

@@ -115,7 +115,7 @@ Events Job::report(int task, TaskStatus status) {
 Events Job::complete(int task, TaskResult result) {
   return guarded([&](Events& events) {
     running_.erase(task);
-    stages_[current_]->complete(state_, queue_, task, std::move(result), events);
+    stages_[current_]->complete(state_, queue_, {task, std::move(result)}, events);
     report_progress(events);
   });
 }
@@ -177,7 +177,7 @@ void Job::run_task(std::int64_t work, Events& events) {
     TaskResult result = own_runner_->result();
     own_runner_.reset();
     running_.erase(id);
-    stages_[current_]->complete(state_, queue_, id, std::move(result), events);
+    stages_[current_]->complete(state_, queue_, {id, std::move(result)}, events);
   }
   report_progress(events);
 }

@@ -30,11 +30,11 @@ class LearnStage : public Stage {
     runs_wanted_ = state.options.runs * static_cast<int>(learnings_.size());
   }
 
-  void complete(JobState& state, TaskQueue&, int task, TaskResult result, Events& events) override {
-    const auto& counts = std::get<FoldabilityCounts>(result);
+  void complete(JobState& state, TaskQueue&, CompletedTask done, Events& events) override {
+    const auto& counts = std::get<FoldabilityCounts>(done.result);
     runs_done_ += counts.runs;
     const auto learning = std::find_if(learnings_.begin(), learnings_.end(),
-                                       [&](const Learning& l) { return l.owns(task); });
+                                       [&](const Learning& l) { return l.owns(done.id); });
     const bool all = learning->complete(counts);
     LearnedEvent event{runs_done_, runs_wanted_};
     if (learning == learnings_.begin()) {

@@ -85,8 +85,8 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
     to_regroup_.erase(part);
     const int learned_panels =
         component.learned ? component.learned->matrix.size : component.graph.panel_count();
-    auto regrouping =
-        regroup(state.surface->mesh, component.graph, learned_panels, component.labels, label);
+    auto regrouping = regroup(state.surface->mesh, component.graph, component.labels,
+                              {.part = label, .learned_panels = learned_panels});
     if (regrouping) {
       // What folds that stay hold together cannot be shared out as it was.
       const Labels kept = keep_locked_together(component.graph, regrouping->labels);

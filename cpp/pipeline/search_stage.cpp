@@ -84,8 +84,8 @@ class SearchStage : public Stage {
     for (Region& region : regions) start(state, queue, std::move(region));
   }
 
-  void complete(JobState& state, TaskQueue& queue, int task, TaskResult result,
-                Events& events) override {
+  void complete(JobState& state, TaskQueue& queue, CompletedTask done, Events& events) override {
+    auto& [task, result] = done;
     if (auto* counts = std::get_if<FoldabilityCounts>(&result)) {
       learned(state, queue, task, *counts);
     } else if (auto* exchanged = std::get_if<ExchangeResult>(&result)) {

@@ -23,6 +23,12 @@ class TaskQueue {
 /// Last status of every task that is being run, by its number.
 using Running = std::map<int, TaskStatus>;
 
+/// A task that has been run to its end.
+struct CompletedTask {
+  int id;
+  TaskResult result;
+};
+
 /// One named step of a job: some work of its own, and parallel work cut into tasks.
 ///
 /// `prepare` runs until it is done; then `begin` runs once and may queue tasks; `complete` takes
@@ -37,7 +43,7 @@ class Stage {
   /// left.
   virtual bool prepare(JobState&) { return true; }
   virtual void begin(JobState& state, TaskQueue& queue, Events& events) = 0;
-  virtual void complete(JobState&, TaskQueue&, int /*task*/, TaskResult, Events&) {}
+  virtual void complete(JobState&, TaskQueue&, CompletedTask, Events&) {}
   /// Does some milliseconds of work that cannot be split into tasks; true when none is left.
   virtual bool go_on(JobState&, Events&) { return true; }
   virtual void end(JobState&, Events&) {}

@@ -47,8 +47,8 @@ TaskRunner::TaskRunner(Task task)
   const Mesh& mesh = task_.surface->mesh;
   std::visit(Overloaded{
                  [&](const LearnTask& learn) {
-                   run_.emplace<FoldabilityLearner>(mesh, graph_, learn.options, learn.first_run,
-                                                    learn.last_run);
+                   const RunRange runs = {learn.first_run, learn.last_run};
+                   run_.emplace<FoldabilityLearner>(mesh, graph_, learn.options, runs);
                  },
                  [&](const SearchTask& search) {
                    run_.emplace<TreeSearch>(mesh, graph_, search.options, search.initial);
@@ -100,6 +100,22 @@ bool TaskRunner::step(std::int64_t work) {
       run_);
   note_generation();
   return done;
+}
+
+bool TaskRunner::is_folding() const {
+  return std::visit(
+      Overloaded{
+          [](const MotionPlanner&) { return true; },
+          [&](const TreeSearch& search) {
+            return std::get<SearchTask>(task_.work).options.clearance > 0 &&
+                   search.best_overlaps() == 0;
+          },
+          [&](const BorderExchange&) {
+            return std::get<ExchangeTask>(task_.work).options.clearance > 0;
+          },
+          [](const auto&) { return false; },
+      },
+      run_);
 }
 
 /// Adds a status when a generation has passed since the last one.

@@ -127,6 +127,9 @@ class TaskRunner {
 
   /// Does about `work` microseconds' worth; true when the task is done.
   bool step(std::int64_t work);
+  /// Whether the next step is spent on how a net folds up: on making one fold that lies flat without
+  /// overlaps, or on planning its motion.
+  bool is_folding() const;
   /// What has happened since the last call.
   TaskStatus status(bool with_net);
   /// \pre `step` returned true

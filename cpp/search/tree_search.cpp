@@ -70,7 +70,8 @@ void TreeSearch::try_start() {
   const Heuristic heuristic =
       starts_done_ % 2 == 0 ? Heuristic::kSteepestEdge : Heuristic::kFlatTree;
   const Vec3 direction = random_direction(random_);
-  consider(heuristic_tree(weights_, *graph_, heuristic, direction, starts_done_, random_));
+  const auto weights = weights_.weights(heuristic, direction, starts_done_, random_);
+  consider(minimum_spanning_tree(*graph_, weights));
   ++starts_done_;
 }
 

@@ -62,19 +62,19 @@ FoldabilityMatrix restrict_to(const FoldabilityMatrix& matrix, std::span<const i
 }
 
 FoldabilityLearner::FoldabilityLearner(const Mesh& mesh, const DualGraph& graph,
-                                       const LearnOptions& options, int first_run, int last_run)
+                                       const LearnOptions& options, const RunRange& runs)
     : graph_(&graph),
       options_(options),
       weights_(mesh, graph),
-      first_run_(first_run),
-      run_(first_run),
-      last_run_(last_run) {
-  assert(0 <= first_run && first_run <= last_run && last_run <= 65535);
+      first_run_(runs.first),
+      run_(runs.first),
+      last_run_(runs.last) {
+  assert(0 <= first_run_ && first_run_ <= last_run_ && last_run_ <= 65535);
   // All directions are drawn from the start, so that a run's does not depend on the split.
   Random random(task_seed(options.seed, SeedTag::kLearning, 0, 0));
-  directions_ = make_directions(mesh, options.directions, last_run, random);
+  directions_ = make_directions(mesh, options.directions, last_run_, random);
   int bits = 1;
-  while ((last_run - first_run) >> bits != 0) ++bits;
+  while ((last_run_ - first_run_) >> bits != 0) ++bits;
   const auto cells = static_cast<std::size_t>(block_count(graph.panel_count())) *
                      static_cast<std::size_t>(graph.panel_count());
   planes_.assign(bits, std::vector<SourceMask>(cells, SourceMask{}));
@@ -84,8 +84,8 @@ bool FoldabilityLearner::step() {
   if (run_ == last_run_) return false;
   Random random(
       task_seed(options_.seed, SeedTag::kLearning, 0, 1 + static_cast<std::uint64_t>(run_)));
-  const FoldTree folds =
-      heuristic_tree(weights_, *graph_, options_.heuristic, directions_[run_], run_, random);
+  const auto weights = weights_.weights(options_.heuristic, directions_[run_], run_, random);
+  const FoldTree folds = minimum_spanning_tree(*graph_, weights);
   const RootedTree tree = hang_tree(*graph_, folds);
   add(tree, overlapping_panels(*graph_, lay_out(*graph_, tree)));
   ++run_;

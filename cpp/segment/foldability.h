@@ -50,14 +50,19 @@ struct LearnOptions {
   std::uint64_t seed = 1;
 };
 
+/// Learning runs [first, last).
+struct RunRange {
+  int first, last;
+};
+
 /// Learns from unfoldings run by run [paper, 4.1]: the range of runs may be split over several
 /// learners, whose counts add up to the same matrix.
 class FoldabilityLearner {
  public:
-  /// Learns runs [first_run, last_run) of `options`. All arguments must outlive this object.
+  /// Learns some of the runs of `options`. Mesh and graph must outlive this object.
   /// \pre graph is connected
   FoldabilityLearner(const Mesh& mesh, const DualGraph& graph, const LearnOptions& options,
-                     int first_run, int last_run);
+                     const RunRange& runs);
 
   /// Does one run; false when none was left.
   bool step();

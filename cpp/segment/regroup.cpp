@@ -163,7 +163,7 @@ void split_part(const Mesh& mesh, const DualGraph& graph, int learned_panels, La
   const DualGraph of_part = restrict_to(graph, panels);
   const int learned_on = std::max(1, static_cast<int>(learned_panels * area / all));
   const Labels halves =
-      smooth_labels(mesh, of_part, Segmenter::kShape, learned_on, halve(mesh, of_part));
+      smooth_labels(mesh, of_part, halve(mesh, of_part), {Segmenter::kShape, learned_on});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (halves[i] == 1) labels[panels[i]] = second;
   }
@@ -171,15 +171,16 @@ void split_part(const Mesh& mesh, const DualGraph& graph, int learned_panels, La
 
 }  // namespace
 
-std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, int learned_panels,
-                                  const Labels& labels, int part) {
+std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, const Labels& labels,
+                                  const RegroupOptions& options) {
+  const int part = options.part;
   const int partner = choose_partner(choices_of(mesh, graph, labels, part));
   if (partner == -1) return std::nullopt;
   const int split = largest_but(graph, labels, part, partner);
   if (split == -1) return std::nullopt;
   Regrouping regrouping{labels, {part, partner, split}};
   std::ranges::replace(regrouping.labels, part, partner);
-  split_part(mesh, graph, learned_panels, regrouping.labels, split, part);
+  split_part(mesh, graph, options.learned_panels, regrouping.labels, split, part);
   std::ranges::sort(regrouping.changed);
   return regrouping;
 }
@@ -197,7 +198,7 @@ Labels regroup_saddles(const Mesh& mesh, const DualGraph& graph, int learned_pan
     }
     if (saddle == -1) return labels;
     looked_at.insert(saddle);
-    auto regrouping = regroup(mesh, graph, learned_panels, labels, saddle);
+    auto regrouping = regroup(mesh, graph, labels, {.part = saddle, .learned_panels = learned_panels});
     if (regrouping) labels = std::move(regrouping->labels);
   }
 }

@@ -13,6 +13,11 @@ struct Regrouping {
   std::vector<int> changed;  ///< parts that are not what they were, ascending
 };
 
+struct RegroupOptions {
+  int part;            ///< the one that is dissolved
+  int learned_panels;  ///< of the graph that labels were learned on
+};
+
 /// Dissolves a part that is far from having a net: it joins a neighbour that balances its
 /// curvature, and the largest other part is split in its stead.
 ///
@@ -23,8 +28,8 @@ struct Regrouping {
 /// halved, with a border as smooth as learning on `learned_panels` panels leaves it (see
 /// `smooth_labels`). None if no neighbour will do, or no other part can be split.
 /// \pre parts are connected
-std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, int learned_panels,
-                                  const Labels& labels, int part);
+std::optional<Regrouping> regroup(const Mesh& mesh, const DualGraph& graph, const Labels& labels,
+                                  const RegroupOptions& options);
 
 /// Regroups the parts of which curvature alone tells that they are saddles without a net, so that
 /// no search has to find out: compact parts of some panels with much more negative than positive

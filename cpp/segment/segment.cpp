@@ -101,7 +101,7 @@ Labels divide_large(const Mesh& mesh, const DualGraph& graph, const FoldabilityM
     const int most = std::min(static_cast<int>(panels.size()), kMostEstimatedParts - count + 1);
     const auto pieces = static_cast<int>(std::min(std::ceil(excess), static_cast<double>(most)));
     const Labels divided = subdivide(mesh, restrict_to(graph, panels), restrict_to(matrix, panels),
-                                     pieces, options.seed);
+                                     {.parts = pieces, .seed = options.seed});
     for (std::size_t i = 0; i < panels.size(); ++i) {
       if (divided[i] > 0) labels[panels[i]] = count + divided[i] - 1;
     }
@@ -143,11 +143,11 @@ Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFolda
   return renumbered(carried);
 }
 
-Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Segmenter segmenter,
-                     int learned_panels, Labels labels) {
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Labels labels,
+                     const LearnedBy& learned) {
   const double area = std::accumulate(graph.areas.begin(), graph.areas.end(), 0.0);
-  BorderCost cost{.reach = kBorderReach * std::sqrt(area / learned_panels)};
-  if (segmenter == Segmenter::kFoldability) cost.crease = 0;
+  BorderCost cost{.reach = kBorderReach * std::sqrt(area / learned.panels)};
+  if (learned.segmenter == Segmenter::kFoldability) cost.crease = 0;
   return smooth_borders(mesh, graph, std::move(labels), cost);
 }
 

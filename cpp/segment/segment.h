@@ -33,11 +33,17 @@ Labels segment(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix
 Labels carry_labels(const Mesh& mesh, const DualGraph& graph, const CarriedFoldability& foldability,
                     const Labels& labels);
 
-/// Makes the borders of carried labels short, within what learning on `learned_panels` panels
-/// leaves open: see `smooth_borders`. With the shape as a cue they follow creases, too.
+/// What labels come from.
+struct LearnedBy {
+  Segmenter segmenter;
+  int panels;  ///< of the graph that was learned on
+};
+
+/// Makes the borders of carried labels short, within what learning on so many panels leaves open:
+/// see `smooth_borders`. With the shape as a cue they follow creases, too.
 /// \pre parts are connected
-Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Segmenter segmenter,
-                     int learned_panels, Labels labels);
+Labels smooth_labels(const Mesh& mesh, const DualGraph& graph, Labels labels,
+                     const LearnedBy& learned);
 
 /// Halves a connected graph: what is nearer to one of two panels far apart than to the other. Both
 /// halves are connected. \pre at least two panels

@@ -17,9 +17,9 @@ constexpr ShapeCue kCueWithinParts = {.power = 1, .falloff = 1};
 }  // namespace
 
 Labels subdivide(const Mesh& mesh, const DualGraph& graph, const FoldabilityMatrix& matrix,
-                 int parts, std::uint64_t seed) {
+                 const SubdivideOptions& options) {
   const Affinity affinity = shape_affinity(matrix, concave_geodesic(mesh, graph), kCueWithinParts);
-  const Labels labels = spectral_clusters(affinity, {.parts = parts, .seed = seed});
+  const Labels labels = spectral_clusters(affinity, {.parts = options.parts, .seed = options.seed});
   std::vector<int> rows(graph.panel_count());
   std::iota(rows.begin(), rows.end(), 0);
   return connect_parts(graph, {matrix, rows}, labels);

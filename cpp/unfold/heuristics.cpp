@@ -106,9 +106,4 @@ std::vector<double> HeuristicWeights::weights(Heuristic heuristic, const Vec3& d
   return weights;
 }
 
-FoldTree heuristic_tree(const HeuristicWeights& weights, const DualGraph& graph,
-                        Heuristic heuristic, const Vec3& direction, int run, Random& random) {
-  return minimum_spanning_tree(graph, weights.weights(heuristic, direction, run, random));
-}
-
 }  // namespace foldwright

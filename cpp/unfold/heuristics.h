@@ -11,7 +11,8 @@ namespace foldwright {
 /// two from run to run.
 enum class Heuristic { kSteepestEdge, kFlatTree, kHybrid, kRandom };
 
-/// Weights of the heuristics for one graph; keeps the primal edges sorted by vertex.
+/// Weights of the heuristics for one graph, whose minimum spanning tree is the fold tree; keeps the
+/// primal edges sorted by vertex.
 class HeuristicWeights {
  public:
   /// Both must outlive this object.
@@ -43,9 +44,5 @@ class HeuristicWeights {
   std::vector<int> first_spoke_ = {0};  ///< CSR over those vertices
   std::vector<Vec3> positions_;         ///< of those vertices
 };
-
-/// Fold tree of one run of a heuristic in a direction.
-FoldTree heuristic_tree(const HeuristicWeights& weights, const DualGraph& graph,
-                        Heuristic heuristic, const Vec3& direction, int run, Random& random);
 
 }  // namespace foldwright

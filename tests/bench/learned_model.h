@@ -25,7 +25,7 @@ inline JobState learn_model(const std::filesystem::path& file, const JobOptions&
   while (!queue.empty()) {
     TaskRunner runner(queue.take());
     while (!runner.step(1'000'000)) continue;
-    stage->complete(state, queue, runner.task().id, runner.result(), events);
+    stage->complete(state, queue, {runner.task().id, runner.result()}, events);
   }
   return state;
 }

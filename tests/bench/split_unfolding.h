@@ -38,8 +38,8 @@ inline std::vector<int> unfold_and_split(const Mesh& mesh, const DualGraph& grap
   std::vector<int> fewest;
   int least = graph.panel_count() + 1;
   for (int run = 0; run < kUnfoldings; ++run) {
-    const RootedTree tree = hang_tree(
-        graph, heuristic_tree(weights, graph, Heuristic::kHybrid, directions[run], run, random));
+    const auto hybrid = weights.weights(Heuristic::kHybrid, directions[run], run, random);
+    const RootedTree tree = hang_tree(graph, minimum_spanning_tree(graph, hybrid));
     auto piece = split_at_overlaps(tree, overlapping_panels(graph, lay_out(graph, tree)));
     const int count = 1 + *std::max_element(piece.begin(), piece.end());
     if (count < least) least = count, fewest = std::move(piece);

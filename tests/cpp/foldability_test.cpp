@@ -13,7 +13,7 @@ namespace {
 
 FoldabilityCounts counts_of(const Unfoldable& surface, const LearnOptions& options, int first,
                             int last) {
-  FoldabilityLearner learner(surface.mesh, surface.graph, options, first, last);
+  FoldabilityLearner learner(surface.mesh, surface.graph, options, {first, last});
   while (learner.step()) continue;
   EXPECT_EQ(learner.runs_done(), last - first);
   return learner.counts();

@@ -134,13 +134,16 @@ TEST(RandomHeuristic, DrawsEveryWeightAnew) {
   EXPECT_NE(first, draw());
 }
 
-TEST(HeuristicTree, IsTheTreeOfItsWeights) {
+TEST(HeuristicWeights, AreThoseOfTheHeuristicThatIsAskedFor) {
   const Unfoldable surface = unfoldable(star());
   const HeuristicWeights heuristic(surface.mesh, surface.graph);
   Random random(1);
   const Vec3 direction = random_direction(random);
-  EXPECT_EQ(heuristic_tree(heuristic, surface.graph, Heuristic::kFlatTree, direction, 0, random),
-            minimum_spanning_tree(surface.graph, heuristic.flat_tree(direction)));
+  const auto weights = [&](Heuristic which, int run) {
+    return heuristic.weights(which, direction, run, random);
+  };
+  EXPECT_EQ(weights(Heuristic::kFlatTree, 0), heuristic.flat_tree(direction));
+  EXPECT_EQ(weights(Heuristic::kSteepestEdge, 0), heuristic.steepest_edge(direction));
 }
 
 TEST(SteepestEdge, MakesANetOfEveryConvexHull) {

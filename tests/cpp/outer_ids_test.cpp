@@ -111,7 +111,7 @@ TEST(OuterIds, OfAJobLieOnNoFace) {
         if (label.text == piece.name) continue;
         ++numbers;
         const Vec2 along(std::cos(label.angle), std::sin(label.angle));
-        const auto box = box_around(label.text, label.size, label.centre, along, 0).corners();
+        const auto box = box_around(label.text, {label.size}, label.centre, along).corners();
         std::vector<Vec2> text;
         for (const Vec2& p : box) text.push_back(p + Vec2(place.x, place.y));
         on_faces += std::ranges::any_of(

@@ -35,7 +35,7 @@ LabelPlan nameless(std::size_t pieces) {
 
 /// What a text covers, from the lower left of its piece.
 std::vector<Vec2> box_of_text(const Label& label) {
-  const TextBox box = box_around(label.text, label.size, label.centre, Vec2(1, 0), 0);
+  const TextBox box = box_around(label.text, {label.size}, label.centre, Vec2(1, 0));
   const auto corners = box.corners();
   return {corners.begin(), corners.end()};
 }

@@ -8,7 +8,7 @@ Unfoldable unfoldable(Mesh mesh) {
 }
 
 FoldabilityMatrix learn(const Unfoldable& surface, int runs) {
-  FoldabilityLearner learner(surface.mesh, surface.graph, {.runs = runs}, 0, runs);
+  FoldabilityLearner learner(surface.mesh, surface.graph, {.runs = runs}, {0, runs});
   while (learner.step()) continue;
   return to_matrix(learner.counts());
 }

@@ -39,7 +39,7 @@ TEST(Regroup, JoinsASaddleToTheBulgeItBordersOnMostAndHalvesTheOther) {
   // From the middle of the neck a bit up, so that the border with the upper bulb is the longer one.
   const Labels labels = neck_between_bulbs(dumbbell, -0.35, 0.6);
   ASSERT_EQ(fault_of_parts(dumbbell.graph, labels), "");
-  const auto regrouping = regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 1);
+  const auto regrouping = regroup(dumbbell.mesh, dumbbell.graph, labels, {1, 300});
   ASSERT_TRUE(regrouping);
   EXPECT_EQ(regrouping->changed, (std::vector{0, 1, 2}));
   EXPECT_EQ(fault_of_parts(dumbbell.graph, regrouping->labels), "");
@@ -62,21 +62,21 @@ TEST(Regroup, LeavesWhatNoNeighbourBetters) {
   const Unfoldable dumbbell = unfoldable(foldwright::testing::dumbbell());
   // A bulb by itself has hardly any negative curvature: joined to the neck it has more.
   const Labels labels = neck_between_bulbs(dumbbell, -0.5, 0.5);
-  EXPECT_FALSE(regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 0));
+  EXPECT_FALSE(regroup(dumbbell.mesh, dumbbell.graph, labels, {0, 300}));
 }
 
 TEST(Regroup, NeedsAnotherPartToSplit) {
   const Unfoldable dumbbell = unfoldable(foldwright::testing::dumbbell());
   Labels labels = neck_between_bulbs(dumbbell, -0.5, 0.5);
   for (int& label : labels) label = std::min(label, 1);
-  EXPECT_FALSE(regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 1));
+  EXPECT_FALSE(regroup(dumbbell.mesh, dumbbell.graph, labels, {1, 300}));
 }
 
 TEST(RegroupSaddles, DissolvesACompactSaddleBeforeAnySearch) {
   const Unfoldable dumbbell = unfoldable(foldwright::testing::dumbbell(24));
   // Up to where the bulbs begin to bulge.
   const Labels labels = neck_between_bulbs(dumbbell, -0.4, 0.4);
-  const auto regrouping = regroup(dumbbell.mesh, dumbbell.graph, 300, labels, 1);
+  const auto regrouping = regroup(dumbbell.mesh, dumbbell.graph, labels, {1, 300});
   ASSERT_TRUE(regrouping);
   EXPECT_EQ(regroup_saddles(dumbbell.mesh, dumbbell.graph, 300, labels), regrouping->labels);
 }

@@ -91,7 +91,7 @@ TEST(SmoothLabels, OnlyShortensBordersWhereTheShapeIsNoCue) {
     const Labels before =
         segment(surface.mesh, surface.graph, learn(surface, 50), {Segmenter::kFoldability, 5});
     const Labels after =
-        smooth_labels(surface.mesh, surface.graph, Segmenter::kFoldability, panels, before);
+        smooth_labels(surface.mesh, surface.graph, before, {Segmenter::kFoldability, panels});
     EXPECT_EQ(part_count(after), part_count(before));
     EXPECT_EQ(fault_of_parts(surface.graph, after), "");
     EXPECT_LE(border_length(surface.graph, after), border_length(surface.graph, before) + 1e-9);

@@ -116,6 +116,26 @@ TEST(SearchTask, StartsFromATreeThatIsGiven) {
   EXPECT_EQ(std::get<SearchResult>(run(whole_task(surface, SearchTask{{}, net}))).folds, net);
 }
 
+TEST(SearchTask, TellsWhenItIsAboutFolding) {
+  const auto surface = make_surface(0, bumpy_sphere(120));
+  const auto folding_steps = [&](double clearance) {
+    TaskRunner runner(whole_task(surface, SearchTask{{.clearance = clearance, .seed = 2}}));
+    EXPECT_FALSE(runner.is_folding()) << "before there is a net";
+    int steps = 0;
+    bool done = false;
+    while (!done) {
+      steps += runner.is_folding();
+      done = runner.step(100);
+    }
+    return steps;
+  };
+  EXPECT_EQ(folding_steps(0), 0);
+  EXPECT_GT(folding_steps(kClearance), 0);
+  const auto plain = make_surface(0, cube());
+  const PlanTask plan = {all_spanning_trees(plain->graph)[0], kClearance, 1};
+  EXPECT_TRUE(TaskRunner(whole_task(plain, plan)).is_folding());
+}
+
 TEST(PlanTask, FoldsANetOfItsPanels) {
   const auto surface = make_surface(0, bumpy_sphere(80));
   const DualGraph& graph = surface->graph;

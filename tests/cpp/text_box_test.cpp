@@ -18,8 +18,8 @@ TEST(TextWidth, GrowsWithTheText) {
 }
 
 TEST(BoxAround, LeavesRoomForWhatHangsBelowTheBaseline) {
-  const TextBox plain = box_around("A1", 2, {0, 0}, {1, 0}, 0.3);
-  const TextBox tall = box_around("gy", 2, {0, 0}, {1, 0}, 0.3);
+  const TextBox plain = box_around("A1", {2, 0.3}, {0, 0}, {1, 0});
+  const TextBox tall = box_around("gy", {2, 0.3}, {0, 0}, {1, 0});
   EXPECT_NEAR(plain.half_height, 0.5 * kCapHeight * 2 + 0.3, 1e-12);
   EXPECT_GT(tall.half_height, plain.half_height);
 }

@@ -174,12 +174,14 @@ describe('StageClock', () => {
     clock.spend(2500, 'learn');
     clock.spend(4000);
     clock.spend(4250, 'paper');
+    clock.fold(250);
+    clock.fold(500);
     expect(clock.seconds()).toEqual({
       read: 0.5,
       learn: 2.5,
       cluster: 0,
       search: 0,
-      fold: 0,
+      fold: 0.75,
       compact: 0,
       paper: 0.25,
       total: 3.25,

@@ -58,6 +58,7 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
           onStep?.();
           return --left <= 0;
         },
+        isFolding: () => false,
         status: () => nothing,
         result: () => nothing,
         delete: () => undefined,

@@ -154,7 +154,9 @@ export class Conductor {
     this.executor.begin(this.orderFor(task, false));
   }
 
-  private handle({ task, status, result }: TaskReport): void {
+  private handle({ task, status, result, foldingTime }: TaskReport): void {
+    // Workers are at it at the same time: it is shared out, so that no more comes of it than the stages took.
+    this.clock.fold(foldingTime / (1 + this.dispatcher.helperCount));
     this.passOnEvents(this.filter.newOf(task, this.job.report(task, status)));
     if (result && !this.finished) this.passOnEvents(this.job.complete(task, result));
   }

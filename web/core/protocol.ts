@@ -33,6 +33,8 @@ export interface TaskReport {
   status: Uint8Array;
   /** Null while the task is under way. */
   result: Uint8Array | null;
+  /** Milliseconds since the last report that went into making nets fold, or into planning how they do. */
+  foldingTime: number;
 }
 
 /**

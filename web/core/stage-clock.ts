@@ -1,10 +1,11 @@
-import { stageSeconds, type StageSeconds } from '../model/stage-seconds.js';
+import type { StageSeconds } from '../model/stage-seconds.js';
 import { byStage, type Stage } from '../model/stages.js';
 
 /** Adds up the time that a job spends in each stage. All times in ms. */
 export class StageClock {
   private readonly spent = byStage(() => 0);
   private stage: Stage = 'read';
+  private folding = 0;
   private last: number;
 
   constructor(private readonly start: number) {
@@ -18,6 +19,11 @@ export class StageClock {
     this.last = now;
   }
 
+  /** So much of the time of a stage went into how nets fold. */
+  fold(time: number): void {
+    this.folding += time;
+  }
+
   /** Seconds since the job began. */
   elapsed(now: number): number {
     return (now - this.start) / 1000;
@@ -25,6 +31,7 @@ export class StageClock {
 
   /** Seconds spent so far. */
   seconds(): StageSeconds {
-    return stageSeconds((stage) => this.spent[stage] / 1000, this.elapsed(this.last));
+    const spent = byStage((stage) => this.spent[stage] / 1000);
+    return { ...spent, fold: this.folding / 1000, total: this.elapsed(this.last) };
   }
 }

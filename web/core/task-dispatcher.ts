@@ -24,6 +24,11 @@ export class TaskDispatcher {
   /** By helper, the surfaces that it has. */
   private readonly surfaces = new Map<number, Set<number>>();
 
+  /** Helpers that stand by or have a task. */
+  get helperCount(): number {
+    return this.surfaces.size;
+  }
+
   /** Tasks that nobody has taken. */
   get waitingCount(): number {
     return this.waiting.length;

@@ -10,6 +10,8 @@ export class TaskExecutor {
   private task: Task | null = null;
   private budget = 1000;
   private lastReport = -Infinity;
+  /** Milliseconds of the task that went into how nets fold, since its last report. */
+  private foldingTime = 0;
 
   constructor(private readonly engine: Engine) {}
 
@@ -40,9 +42,11 @@ export class TaskExecutor {
   step(): TaskReport | null {
     const { order, task } = this;
     if (!order || !task) return null;
+    const isFolding = task.isFolding();
     const before = performance.now();
     const done = task.step(this.budget);
     const now = performance.now();
+    if (isFolding) this.foldingTime += now - before;
     this.budget = nextBudget(this.budget, now - before);
     const due = now - this.lastReport >= order.interval;
     if (!done && !due) return null;
@@ -50,8 +54,10 @@ export class TaskExecutor {
     // What a search comes to is seen, however little time it took.
     const status = task.status(order.pictures && (due || done));
     const result = done ? task.result() : null;
+    const { foldingTime } = this;
+    this.foldingTime = 0;
     if (done) this.drop();
-    return { task: order.task, status, result };
+    return { task: order.task, status, result, foldingTime };
   }
 
   /** Frees everything. */

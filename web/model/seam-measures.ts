@@ -14,7 +14,7 @@ export interface MeasuredSeam {
 }
 
 /** Shorter seams hold by their neighbours, so the engine wants no flaps there; mm. */
-const wantedLength = 4;
+export const wantedLength = 4;
 
 /** Lengths of edges of the model on paper. */
 function edgeLengths(pieces: readonly Piece[]): Map<number, number> {

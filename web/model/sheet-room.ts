@@ -10,7 +10,7 @@ export interface Area {
 }
 
 /** What printers leave white, unless the margin says that this one does not; mm. */
-const unprinted = 4;
+export const unprinted = 4;
 
 /** Height of the bands for rulers and title along the left and the lower edge; mm. */
 export const bandHeight = 5.5;

@@ -4,6 +4,7 @@ import { doPanelsFit } from './flat-panels.js';
 import type { JobResult, Notice, Piece } from './job.js';
 import { median } from './median.js';
 import { measureSeams } from './seam-measures.js';
+import { bandOf, unprinted } from './sheet-room.js';
 
 /** As a fingertip is wide: shorter edges are hard to hold until the glue has dried; mm. */
 export const goodSeam = 12;
@@ -12,9 +13,6 @@ export const goodSeam = 12;
 const largestModel = 1000;
 /** As many as a pad of card has. */
 const mostSheets = 20;
-/** What the engine keeps free for rulers and title at least, from the edges of the paper; mm. */
-const rulers = 9.5;
-
 /** With fewer faces fingers and ears are lost. */
 const fewestFaces = 200;
 /** Edges grow by up to 8 % less than the root of the faces, since the surface loses its bumps, too. */
@@ -36,7 +34,8 @@ export function medianSeam(result: JobResult): number | null {
 /** Whether a model can still be printed when it is `factor` times as large. */
 function canGrow({ model, pieces, sheets }: JobResult, factor: number, margin: number): boolean {
   const { width, height } = sheets[0]!;
-  const border = 2 * Math.max(margin, rulers);
+  // Rulers are on two sides, and the other two at least as far from pieces: a larger model has room for sure.
+  const border = 2 * bandOf(Math.max(margin, unprinted)).to;
   return (
     factor * Math.max(...extentsOf(model.vertices)) <= largestModel &&
     factor ** 2 * sheets.length <= mostSheets &&

@@ -1,18 +1,17 @@
-import { stages, type Stage } from './stages.js';
+import { byStage, type Stage } from './stages.js';
 
 /**
- * Wall-clock seconds that a job spent in each stage; `fold` are those of looking for motions, which is part
- * of the search, and so 0; `total` is the whole job.
+ * Wall-clock seconds that a job spent in each stage. `fold` are those, within `search` and `compact`, in which nets
+ * that lie flat without overlaps were made to fold, or their motions planned; where several workers are at it, the mean
+ * of them. `total` is the whole job.
  */
 export type StageSeconds = Record<Stage | 'fold' | 'total', number>;
 
-/** Seconds for each stage, from what makes them, and for the whole job. */
-export function stageSeconds(of: (stage: Stage) => number, total: number): StageSeconds {
-  const entries = stages.map((stage) => [stage, of(stage)]);
-  return { ...(Object.fromEntries(entries) as Record<Stage, number>), fold: 0, total };
-}
-
 /** The time of two jobs, one after the other. */
 export function addSeconds(one: StageSeconds, other: StageSeconds): StageSeconds {
-  return stageSeconds((stage) => one[stage] + other[stage], one.total + other.total);
+  return {
+    ...byStage((stage) => one[stage] + other[stage]),
+    fold: one.fold + other.fold,
+    total: one.total + other.total,
+  };
 }
