@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "pipeline/result.h"
+#include "pipeline/values/result.h"
 
 namespace foldwright {
 

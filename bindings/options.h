@@ -2,7 +2,7 @@
 
 #include <emscripten/val.h>
 
-#include "pipeline/options.h"
+#include "pipeline/values/options.h"
 
 namespace foldwright {
 

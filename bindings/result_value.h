@@ -2,7 +2,7 @@
 
 #include <emscripten/val.h>
 
-#include "pipeline/result.h"
+#include "pipeline/values/result.h"
 
 namespace foldwright {
 

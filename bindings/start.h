@@ -2,7 +2,7 @@
 
 #include <emscripten/val.h>
 
-#include "pipeline/job_start.h"
+#include "pipeline/values/job_start.h"
 
 namespace foldwright {
 

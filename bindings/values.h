@@ -2,7 +2,7 @@
 
 #include <emscripten/val.h>
 
-#include "pipeline/events.h"
+#include "pipeline/values/events.h"
 
 namespace foldwright {
 

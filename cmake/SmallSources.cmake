@@ -7,7 +7,7 @@ if(NOT EMSCRIPTEN)
 endif()
 
 set(cpp "${PROJECT_SOURCE_DIR}/cpp")
-file(GLOB small_sources CONFIGURE_DEPENDS
+file(GLOB_RECURSE small_sources CONFIGURE_DEPENDS
   "${cpp}/mesh/*.cpp" "${cpp}/paper/*.cpp" "${cpp}/pipeline/*.cpp" "${cpp}/read/*.cpp" "${cpp}/repair/*.cpp"
   "${cpp}/segment/*.cpp")
 
@@ -17,6 +17,11 @@ set(fast_in_paper craft_cost craft_sides flap_cover flap_room flaps label_space 
 set(fast_in_segment affinity analyze_unfolding concave_geodesic foldability k_means min_cut smooth_borders)
 foreach(folder mesh paper segment)
   list(TRANSFORM fast_in_${folder} REPLACE ".+" "${cpp}/${folder}/\\0.cpp")
+  foreach(source IN LISTS fast_in_${folder})
+    if(NOT EXISTS "${source}")
+      message(FATAL_ERROR "${source} is to be fast, but is not there")
+    endif()
+  endforeach()
   list(REMOVE_ITEM small_sources ${fast_in_${folder}})
 endforeach()
 

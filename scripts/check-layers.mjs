@@ -19,8 +19,9 @@ const mayKnow = {
   'cpp/segment': unfold,
   'cpp/paper': unfold,
   'cpp/search': ['fold', ...unfold],
-  'cpp/pipeline': engine.slice(1),
-  bindings: engine.filter((folder) => folder !== 'read'),
+  'cpp/pipeline/values': engine.slice(1),
+  'cpp/pipeline': ['pipeline/values', ...engine.slice(1)],
+  bindings: ['pipeline/values', ...engine.filter((folder) => folder !== 'read')],
   'web/model': [],
   'web/words': ['model'],
   'web/browser': [],
@@ -36,7 +37,9 @@ const mayKnow = {
   'web/element': ['api', 'app', ...web],
 };
 
-const layerOf = (path) => path.match(/^(?:cpp|web)\/[^/]+(?=\/)|^bindings(?=\/)/)?.[0];
+/** Folders within a layer are no layers, but for the values that all of the pipeline hands on. */
+const layerOf = (path) =>
+  path.match(/^cpp\/pipeline\/values(?=\/)|^(?:cpp|web)\/[^/]+(?=\/)|^bindings(?=\/)/)?.[0];
 
 /** `#include "mesh/mesh.h"` counts from cpp/, or else from the file's own folder. */
 function includes(path, text) {

@@ -20,11 +20,7 @@ struct EdgeRun {
 class Builder {
  public:
   Builder(const Mesh& mesh, const DualGraph& graph, const CraftMeasure& measure)
-      : mesh_(mesh),
-        graph_(graph),
-        scale_(measure.scale),
-        probe_(measure.probe),
-        panels_(mesh) {
+      : mesh_(mesh), graph_(graph), scale_(measure.scale), probe_(measure.probe), panels_(mesh) {
     for (int h = 0; h < graph.hinge_count(); ++h) {
       for (const int e : graph.hinges[h].edges) hinge_of_[e] = h;
     }

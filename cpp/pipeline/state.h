@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "paper/text_memory.h"
-#include "pipeline/events.h"
-#include "pipeline/job_start.h"
-#include "pipeline/options.h"
-#include "pipeline/source_model.h"
-#include "pipeline/task.h"
+#include "pipeline/model/source_model.h"
+#include "pipeline/values/events.h"
+#include "pipeline/values/job_start.h"
+#include "pipeline/values/options.h"
+#include "pipeline/values/task.h"
 #include "unfold/congruence.h"
 
 namespace foldwright {

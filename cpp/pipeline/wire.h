@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/task.h"
+#include "pipeline/values/task.h"
 
 namespace foldwright {
 

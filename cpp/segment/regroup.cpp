@@ -198,7 +198,8 @@ Labels regroup_saddles(const Mesh& mesh, const DualGraph& graph, int learned_pan
     }
     if (saddle == -1) return labels;
     looked_at.insert(saddle);
-    auto regrouping = regroup(mesh, graph, labels, {.part = saddle, .learned_panels = learned_panels});
+    auto regrouping =
+        regroup(mesh, graph, labels, {.part = saddle, .learned_panels = learned_panels});
     if (regrouping) labels = std::move(regrouping->labels);
   }
 }

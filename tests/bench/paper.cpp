@@ -18,7 +18,7 @@
 
 #include "outline_gaps.h"
 #include "paper/packing.h"
-#include "pipeline/flat_net.h"
+#include "pipeline/sheets/flat_net.h"
 #include "seam_counts.h"
 #include "timed_job.h"
 

@@ -70,7 +70,8 @@ Segmentation segmentation(const JobState& state, Segmenter segmenter, bool smoot
                                   .whole_first = component.whole_first,
                                   .seed = state.options.seed}));
       if (smooth) {
-        own = smooth_labels(mesh, component.graph, std::move(own), {segmenter, learned.matrix.size});
+        own =
+            smooth_labels(mesh, component.graph, std::move(own), {segmenter, learned.matrix.size});
       }
       borders.add(component.graph, own, std::sqrt(area));
       symmetry.add(mesh, component, own);

@@ -7,7 +7,7 @@
 
 #include "learned_model.h"
 #include "mesh_picture.h"
-#include "pipeline/matrix_picture.h"
+#include "pipeline/parts/matrix_picture.h"
 #include "segment/connect_parts.h"
 #include "segment/spectral.h"
 #include "study.h"

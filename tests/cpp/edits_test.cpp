@@ -1,4 +1,4 @@
-#include "pipeline/edits.h"
+#include "pipeline/edits/edits.h"
 
 #include <gtest/gtest.h>
 

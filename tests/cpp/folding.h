@@ -4,7 +4,7 @@
 
 #include "fold/motion.h"
 #include "geometry/triangle3.h"
-#include "pipeline/result.h"
+#include "pipeline/values/result.h"
 
 /// Nets folded up for tests, by other means than the engine's: from the model's own coordinates, by
 /// Rodrigues' formula, each face eroded corner by corner, and every pair of faces looked at.

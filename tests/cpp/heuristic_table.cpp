@@ -68,8 +68,8 @@ int count_nets(const Unfoldable& surface, Heuristic heuristic, int runs, std::ui
   int nets = 0;
   for (int run = 0; run < runs; ++run) {
     const Vec3 direction = random_direction(random);
-    const FoldTree folds = minimum_spanning_tree(
-        surface.graph, weights.weights(heuristic, direction, run, random));
+    const FoldTree folds =
+        minimum_spanning_tree(surface.graph, weights.weights(heuristic, direction, run, random));
     nets += overlaps_of(surface.graph, folds).empty();
   }
   return nets;

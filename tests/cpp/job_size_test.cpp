@@ -6,7 +6,7 @@
 
 #include "job_runs.h"
 #include "meshes.h"
-#include "pipeline/model_size.h"
+#include "pipeline/sheets/model_size.h"
 #include "segment/spectral.h"
 #include "shared_models.h"
 

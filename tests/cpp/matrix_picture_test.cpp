@@ -1,4 +1,4 @@
-#include "pipeline/matrix_picture.h"
+#include "pipeline/parts/matrix_picture.h"
 
 #include <gtest/gtest.h>
 

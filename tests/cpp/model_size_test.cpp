@@ -1,4 +1,4 @@
-#include "pipeline/model_size.h"
+#include "pipeline/sheets/model_size.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Edits of single nets: cuts, joins and faces that change their part.
 
-#include "pipeline/net_edits.h"
+#include "pipeline/edits/net_edits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/options.h"
+#include "pipeline/values/options.h"
 
 #include <gtest/gtest.h>
 

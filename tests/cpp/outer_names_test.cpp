@@ -8,7 +8,7 @@
 #include "craft_shapes.h"
 #include "geometry/convex2.h"
 #include "job_runs.h"
-#include "pipeline/flat_net.h"
+#include "pipeline/sheets/flat_net.h"
 
 namespace foldwright::testing {
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/part_trees.h"
+#include "pipeline/nets/part_trees.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/piece_names.h"
+#include "pipeline/values/piece_names.h"
 
 #include <gtest/gtest.h>
 

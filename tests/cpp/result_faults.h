@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/result.h"
+#include "pipeline/values/result.h"
 
 namespace foldwright::testing {
 

@@ -1,4 +1,4 @@
-#include "pipeline/result.h"
+#include "pipeline/values/result.h"
 
 #include <gtest/gtest.h>
 

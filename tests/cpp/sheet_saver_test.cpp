@@ -1,5 +1,5 @@
 // Whole jobs, since what is looked at is what they come to.
-#include "pipeline/sheet_saver.h"
+#include "pipeline/sheets/sheet_saver.h"
 
 #include <gtest/gtest.h>
 

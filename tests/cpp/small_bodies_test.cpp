@@ -1,4 +1,4 @@
-#include "pipeline/small_bodies.h"
+#include "pipeline/sheets/small_bodies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/source_model.h"
+#include "pipeline/model/source_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pipeline/spare_nets.h"
+#include "pipeline/nets/spare_nets.h"
 
 #include <gtest/gtest.h>
 

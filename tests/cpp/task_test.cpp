@@ -1,4 +1,4 @@
-#include "pipeline/task.h"
+#include "pipeline/values/task.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,125 @@
+#include "pipeline/model/source_model.h"
+
+#include <utility>
+
+#include "mesh/carry_origins.h"
+#include "mesh/nearest_face.h"
+#include "mesh/simplify.h"
+#include "read/read_model.h"
+#include "read/turn_up.h"
+#include "repair/joints.h"
+#include "repair/repair.h"
+
+namespace foldwright {
+namespace {
+
+Axis up_of(const PolygonSoup& soup, Up asked) {
+  switch (asked) {
+    case Up::kX:
+      return Axis::kX;
+    case Up::kY:
+      return Axis::kY;
+    case Up::kZ:
+      return Axis::kZ;
+    case Up::kGuess:
+      break;
+  }
+  return soup.usual_up;
+}
+
+/// Tells what of the file's looks is not printed.
+void tell_looks(const PolygonSoup& soup, SourceModel& model) {
+  if (soup.looks.has_colour_numbers) model.notices.push_back({"colour-numbers"});
+}
+
+/// What the file says of the looks of the repaired model.
+std::optional<ModelLooks> looks_of(const PolygonSoup& soup, const RepairedModel& model) {
+  if (soup.looks.empty()) return std::nullopt;
+  return ModelLooks{.faces = carry_looks(soup.looks, soup.first_corner, model.origins),
+                    .original = std::nullopt,
+                    .material_names = soup.looks.material_names,
+                    .libraries = soup.looks.libraries};
+}
+
+/// Tells which files came along that nothing is made of.
+void tell_ignored(const std::vector<ModelFile>& files, std::size_t chosen, SourceModel& model) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (i != chosen) names.push_back(files[i].name);
+  }
+  if (!names.empty()) model.notices.push_back({"files-ignored", {{"files", names}}});
+}
+
+/// The files' model with y up. A guess is told where the model was turned for it.
+PolygonSoup read_upright(const std::vector<ModelFile>& files, Up asked, SourceModel& model) {
+  const std::size_t chosen = find_model(files);
+  model.file = files[chosen].name;
+  PolygonSoup soup = read_model(files[chosen].bytes, model.file);
+  tell_ignored(files, chosen, model);
+  tell_looks(soup, model);
+  const Axis up = up_of(soup, asked);
+  turn_up(soup.positions, up);
+  if (asked == Up::kGuess && up != Axis::kY) model.notices.push_back({"up-guessed"});
+  return soup;
+}
+
+/// Makes a simpler mesh of about `wanted` faces, and remembers which face stands for which.
+void simplify_to(int wanted, SourceModel& model) {
+  const Mesh mesh = std::move(model.mesh);
+  model.mesh = simplify(mesh, {.target_faces = wanted});
+  model.face_standins = nearest_faces(mesh, model.mesh);
+  model.origins = carry_origins(mesh, model.origins, model.mesh);
+  model.simplified_deviation = largest_deviation(mesh, model.mesh);
+  model.mesh.joints = find_joints(model.mesh);
+  if (model.looks) model.looks->original = {mesh.positions, mesh.faces};
+  const auto lost = static_cast<int>(mesh.joints.size() - model.mesh.joints.size());
+  if (lost > 0) model.notices.push_back({"joints-lost", {{"count", lost}}});
+  if (model.mesh.face_count() > wanted) {
+    model.notices.push_back({"faces-above-wish", {{"faces", model.mesh.face_count()}}});
+  }
+}
+
+/// Whatever the model depends on. Bytes are told apart by their hash: copies would cost as much
+/// memory again.
+std::string key_of(const std::vector<ModelFile>& files, const JobOptions& options) {
+  std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
+                    std::to_string(options.faces) + ' ' + std::to_string(options.fill_holes) + ' ' +
+                    std::to_string(options.drop_inner);
+  for (const ModelFile& file : files) {
+    const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
+    key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +
+           hash_of({bytes, file.bytes.size()});
+  }
+  return key;
+}
+
+}  // namespace
+
+SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOptions& options) {
+  SourceModel model;
+  const PolygonSoup soup = read_upright(files, options.up, model);
+  RepairedModel repaired =
+      repair(soup, {.fill_holes = options.fill_holes / 100, .drop_inner = options.drop_inner});
+  model.looks = looks_of(soup, repaired);
+  model.mesh = std::move(repaired.mesh);
+  model.origins = std::move(repaired.origins);
+  model.repairs = std::move(repaired.repairs);
+  model.file_face_count = repaired.source_face_count;
+  model.source_faces = model.mesh.source_faces;
+  const bool is_too_fine = options.faces > 0 && model.mesh.face_count() > options.faces;
+  if (is_too_fine) simplify_to(options.faces, model);
+  return model;
+}
+
+std::shared_ptr<const SourceModel> ModelMemory::read(const std::vector<ModelFile>& files,
+                                                     const JobOptions& options) {
+  std::string key = key_of(files, options);
+  if (!model_ || key != key_) {
+    model_.reset();
+    model_ = std::make_shared<const SourceModel>(read_source_model(files, options));
+    key_ = std::move(key);
+  }
+  return model_;
+}
+
+}  // namespace foldwright
