@@ -48,10 +48,9 @@ Task TaskQueue::take() {
 Job::Job(std::vector<ModelFile> files, const JobOptions& options, std::optional<JobStart> start,
          std::shared_ptr<JobMemory> memory) {
   state_.memory = std::move(memory);
-  state_.files = std::move(files);
   state_.options = options;
   state_.start = std::move(start);
-  stages_.push_back(make_read_stage());
+  stages_.push_back(make_read_stage(std::move(files)));
   stages_.push_back(make_learn_stage());
   stages_.push_back(make_cluster_stage());
   stages_.push_back(make_search_stage());
@@ -122,7 +121,7 @@ Events Job::complete(int task, TaskResult result) {
 
 Events Job::draft() const {
   const bool has_all = current_ > static_cast<std::size_t>(StageId::kSearch);
-  if (finished_ || !has_all || state_.nets.empty() || state_.result) return {};
+  if (finished_ || !has_all || state_.nets.found.empty() || state_.result) return {};
   try {
     return {DraftEvent{laid_out_in_a_hurry(state_)}};
   } catch (const std::bad_alloc&) {
@@ -135,7 +134,7 @@ Events Job::cancel() {
     finished_ = true;
     own_runner_.reset();
     stages_[current_]->salvage(state_);
-    if (state_.nets.empty()) {
+    if (state_.nets.found.empty()) {
       events.push_back(CancelledEvent{});
       return;
     }

@@ -55,7 +55,7 @@ class Stage {
   virtual double progress(const JobState&, const Running& running) const = 0;
 };
 
-std::unique_ptr<Stage> make_read_stage();
+std::unique_ptr<Stage> make_read_stage(std::vector<ModelFile> files);
 std::unique_ptr<Stage> make_learn_stage();
 std::unique_ptr<Stage> make_cluster_stage();
 std::unique_ptr<Stage> make_search_stage();

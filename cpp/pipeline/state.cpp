@@ -45,37 +45,37 @@ const EarlierPaper* earlier_paper(const JobState& state) {
 std::vector<int> model_panels(const JobState& state, const Region& region) {
   std::vector<int> panels;
   for (const int panel : region.panels) {
-    panels.push_back(state.components[region.component].panels[panel]);
+    panels.push_back(state.parts.components[region.component].panels[panel]);
   }
   return panels;
 }
 
 void make_parts_of_pieces(JobState& state) {
   int part_before = -1;
-  for (FoundNet& net : state.nets) {
+  for (FoundNet& net : state.nets.found) {
     Region& region = net.region;
     region.cause = Cause::kPart;
     if (region.part != std::exchange(part_before, region.part)) continue;
-    Component& component = state.components[region.component];
+    Component& component = state.parts.components[region.component];
     const int label = static_cast<int>(component.part_numbers.size());
     for (const int panel : region.panels) component.labels[panel] = label;
-    region.part = state.parts++;
+    region.part = state.parts.count++;
     component.part_numbers.push_back(region.part);
   }
   sort_nets(state);
 }
 
 void sort_nets(JobState& state) {
-  std::ranges::sort(state.nets, {}, [](const FoundNet& net) {
+  std::ranges::sort(state.nets.found, {}, [](const FoundNet& net) {
     return std::pair(net.region.part, net.region.panels[0]);
   });
 }
 
 void label_faces(JobState& state) {
-  for (const Component& component : state.components) {
+  for (const Component& component : state.parts.components) {
     for (int panel = 0; panel < component.graph.panel_count(); ++panel) {
       const int part = component.part_numbers[component.labels[panel]];
-      for (const int face : component.graph.panel_faces(panel)) state.labels[face] = part;
+      for (const int face : component.graph.panel_faces(panel)) state.parts.labels[face] = part;
     }
   }
 }

@@ -84,27 +84,42 @@ struct JobMemory {
   TextMemory texts;
 };
 
-/// What the stages of a job hand on to each other.
-struct JobState {
-  std::shared_ptr<JobMemory> memory = std::make_shared<JobMemory>();  ///< never null
-  std::vector<ModelFile> files;  ///< empty once the model is read
-  JobOptions options;
-  std::optional<JobStart> start;
-
-  std::shared_ptr<const SourceModel> model;  ///< once it is read
+/// The model as it was read and repaired; no stage changes it.
+struct ModelState {
+  std::shared_ptr<const SourceModel> source;
   std::shared_ptr<const Surface> surface;
+};
+
+/// How the model is shared out.
+struct PartsState {
   std::vector<Component> components;
-  int parts = 0;
-  std::vector<int> labels;  ///< per face of `surface`: the number of its part
+  int count = 0;
+  std::vector<int> labels;  ///< per face of the surface: the number of its part
   /// As the options have them, by the numbers that parts have after the edits of a start.
   std::vector<PartName> names;
   std::vector<PinnedPiece> pins;
-  std::vector<FoundNet> nets;
-  bool in_a_hurry = false;  ///< the job was cancelled, and what there is has to be shown soon
+};
+
+/// What was found for the parts.
+struct NetsState {
+  std::vector<FoundNet> found;
   std::int64_t moves = 0;
   int generations = 0;
+};
+
+/// What the stages of a job hand on to each other. What a job is given stays as it is; each of the
+/// three values after it is made of those before it.
+struct JobState {
+  std::shared_ptr<JobMemory> memory = std::make_shared<JobMemory>();  ///< never null
+  JobOptions options;
+  std::optional<JobStart> start;
+
+  ModelState model;  ///< once it is read
+  PartsState parts;
+  NetsState nets;
   std::vector<Notice> notices;
   std::optional<JobResult> result;  ///< what the last stage makes of all of that
+  bool in_a_hurry = false;  ///< the job was cancelled, and what there is has to be shown soon
 };
 
 /// Size and sheets of the earlier result, if nets shall stay where they are; or null.

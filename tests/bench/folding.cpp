@@ -42,8 +42,8 @@ void measure(const char* folder, const std::string& faces, int parts, double cle
     const std::string name = path.filename().string();
     if (!faces.empty() && name.find("_" + faces + ".") == std::string::npos) continue;
     JobOptions options;
-    options.parts = parts;
-    options.clearance = clearance;
+    options.parts.count = parts;
+    options.nets.clearance = clearance;
     const testing::TimedJob timed = testing::run_timed(path, options);
     if (!timed.result) continue;
     const double seconds = timed.seconds.at(StageId::kSearch);

@@ -30,15 +30,15 @@ struct Wishes {
 
 Wishes wishes_of(int argc, char** argv) {
   Wishes wishes;
-  wishes.job.parts = 12;
+  wishes.job.parts.count = 12;
   for (int i = 1; i < argc; ++i) {
     const std::string_view name = argv[i];
-    if (name == "--no-folding") wishes.job.folding = FoldingMode::kOff;
-    if (name == "--no-compaction") wishes.job.compaction = false;
+    if (name == "--no-folding") wishes.job.nets.folding = FoldingMode::kOff;
+    if (name == "--no-compaction") wishes.job.nets.compaction = false;
     if (i + 1 == argc) continue;
     if (name == "--least") wishes.least = std::atoi(argv[++i]);
     if (name == "--most") wishes.most = std::atoi(argv[++i]);
-    if (name == "--parts") wishes.job.parts = std::atoi(argv[++i]);
+    if (name == "--parts") wishes.job.parts.count = std::atoi(argv[++i]);
     if (name == "--seed") wishes.job.seed = std::strtoull(argv[++i], nullptr, 10);
     if (name == "--keep") wishes.keep = argv[++i];
   }

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "pipeline/stage.h"
 #include "shared_models.h"
@@ -12,14 +13,14 @@ namespace foldwright::testing {
 inline JobState learn_model(const std::filesystem::path& file, const JobOptions& options) {
   JobState state;
   const std::string bytes = bytes_of(file);
-  ModelFile& model = state.files.emplace_back();
+  ModelFile model;
   model.name = file.filename().string();
   model.bytes.resize(bytes.size());
   std::memcpy(model.bytes.data(), bytes.data(), bytes.size());
   state.options = options;
   TaskQueue queue;
   Events events;
-  make_read_stage()->begin(state, queue, events);
+  make_read_stage({std::move(model)})->begin(state, queue, events);
   const auto stage = make_learn_stage();
   stage->begin(state, queue, events);
   while (!queue.empty()) {
@@ -33,11 +34,11 @@ inline JobState learn_model(const std::filesystem::path& file, const JobOptions&
 /// Parts of a learned model per face of its mesh: the third stage. `state` is a copy, so that one
 /// learning serves many numbers of parts; its first component gets as many as `parts` says.
 inline std::vector<int> parts_of(JobState state, int parts) {
-  state.components.front().parts = parts;
+  state.parts.components.front().parts = parts;
   TaskQueue queue;
   Events events;
   make_cluster_stage()->begin(state, queue, events);
-  return state.labels;
+  return state.parts.labels;
 }
 
 }  // namespace foldwright::testing

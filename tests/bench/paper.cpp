@@ -110,7 +110,7 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   m.values["close"] = 100 * gaps.close / gaps.length;
   m.values["close_corner"] = 100 * gaps.corner / gaps.length;
   m.values["close_hair"] = 100 * gaps.hair / gaps.length;
-  m.values["strip"] = 100 * strip_efficiency(result, prints, options.sheet);
+  m.values["strip"] = 100 * strip_efficiency(result, prints, options.paper.sheet);
   m.values["pieces"] = static_cast<double>(result.pieces.size());
   m.values["sheets"] = result.sheets.sheet_count;
   m.values["strips"] = static_cast<double>(result.strips.size());
@@ -119,9 +119,9 @@ Measures measure(const TimedJob& job, const JobOptions& options) {
   for (const auto& [stage, passed] : job.seconds) seconds += passed;
   m.values["seconds"] = seconds;
   m.values["seconds_paper"] = job.seconds.at(StageId::kPaper);
-  m.values["seconds_packing"] = seconds_of_packing(prints, options.sheet);
+  m.values["seconds_packing"] = seconds_of_packing(prints, options.paper.sheet);
   m.values["longest_step"] = job.longest_step.at(StageId::kPaper);
-  const Extent room = printable(options.sheet);
+  const Extent room = printable(options.paper.sheet);
   std::map<int, double> areas;  // of the faces of each part
   bool fits = true;
   for (std::size_t i = 0; i < prints.size(); ++i) {
@@ -170,10 +170,10 @@ void measure_all(int faces, double height, const Wishes& wishes) {
                       (std::string(name) + "_" + std::to_string(faces) + ".obj");
     if (!std::filesystem::exists(path)) continue;
     JobOptions options;
-    options.parts = 8;
-    options.folding = wishes.folding;
-    options.size = {Sizing::kHeight, height};
-    options.strips = GlueStrips::kFree;
+    options.parts.count = 8;
+    options.nets.folding = wishes.folding;
+    options.paper.size = {Sizing::kHeight, height};
+    options.paper.strips = GlueStrips::kFree;
     const TimedJob job = run_timed(path, options);
     if (!job.result) continue;
     all.push_back(measure(job, options));

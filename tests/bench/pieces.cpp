@@ -27,15 +27,15 @@ void add_run(const std::filesystem::path& path, const JobOptions& options, Sums&
   if (!timed.result) return;
   const auto pieces = static_cast<int>(timed.result->pieces.size());
   const int folded = count_folded(*timed.result);
-  const bool wants_folding = options.folding != FoldingMode::kOff;
+  const bool wants_folding = options.nets.folding != FoldingMode::kOff;
   ++sums.runs;
-  sums.equal += pieces == options.parts;
+  sums.equal += pieces == options.parts.count;
   sums.folded += wants_folding && folded == pieces;
   sums.seconds += timed.seconds.at(StageId::kSearch);
-  if (pieces == options.parts && (!wants_folding || folded == pieces)) return;
+  if (pieces == options.parts.count && (!wants_folding || folded == pieces)) return;
   std::printf("  %s in %d parts, folding %s: %d pieces, %d fold\n",
-              path.filename().string().c_str(), options.parts, wants_folding ? "on" : "off", pieces,
-              folded);
+              path.filename().string().c_str(), options.parts.count, wants_folding ? "on" : "off",
+              pieces, folded);
 }
 
 }  // namespace
@@ -49,9 +49,9 @@ int main() {
       for (const FoldingMode folding : {FoldingMode::kOff, FoldingMode::kPrefer}) {
         Sums sums;
         JobOptions options;
-        options.parts = parts;
-        options.folding = folding;
-        options.compaction = false;
+        options.parts.count = parts;
+        options.nets.folding = folding;
+        options.nets.compaction = false;
         for (const auto& path : testing::files_below("models/organic")) {
           const std::string name = path.filename().string();
           if (name.find("_" + std::string(faces) + ".") == std::string::npos) continue;

@@ -53,12 +53,12 @@ struct Symmetry {
 /// Parts of a learned model, per face of its file, and their borders.
 Segmentation segmentation(const JobState& state, Segmenter segmenter, bool smooth, int face_count,
                           Borders& borders, Symmetry& symmetry) {
-  const Mesh& mesh = state.surface->mesh;
+  const Mesh& mesh = state.model.surface->mesh;
   Segmentation labels(mesh.faces.size(), -1);
   double area = 0;
   for (int face = 0; face < mesh.face_count(); ++face) area += face_area(mesh, face);
   int parts = 0;
-  for (const Component& component : state.components) {
+  for (const Component& component : state.parts.components) {
     Labels own(component.graph.panel_count(), 0);
     if (component.learned) {
       const Learned& learned = *component.learned;
@@ -123,8 +123,9 @@ int main(int argc, char** argv) {
   Symmetry symmetry[kOneSegment];
   for (const BenchmarkModel& model : models) {
     const int faces = model.face_count();
-    const JobState with_number = learn_model(model.file, {.parts = parts.at(model.category())});
-    const Mesh& mesh = with_number.surface->mesh;
+    const JobState with_number =
+        learn_model(model.file, {.parts = {.count = parts.at(model.category())}});
+    const Mesh& mesh = with_number.model.surface->mesh;
     const auto add = [&](Column column, const Segmentation& labels) {
       scores[column].add(model, mesh, labels);
     };

@@ -23,7 +23,7 @@ constexpr double kAsGood = 1.1;
 
 TimedJob unfold(const CraftShape& shape) {
   JobOptions options;
-  options.size = {Sizing::kScale, 1, Unit::kMillimetre};
+  options.paper.size = {Sizing::kScale, 1, Unit::kMillimetre};
   const std::string text = obj_of(shape.solid);
   std::vector<std::byte> bytes(text.size());
   std::memcpy(bytes.data(), text.data(), text.size());

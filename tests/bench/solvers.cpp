@@ -12,9 +12,9 @@ namespace {
 using namespace foldwright;
 void print_row(const std::filesystem::path& path, int parts, Solver solver) {
   JobOptions options;
-  options.parts = parts;
-  options.solver = solver;
-  options.folding = FoldingMode::kOff;
+  options.parts.count = parts;
+  options.nets.solver = solver;
+  options.nets.folding = FoldingMode::kOff;
   const testing::TimedJob timed = testing::run_timed(path, options);
   if (!timed.result) return;
   const JobResult& result = *timed.result;

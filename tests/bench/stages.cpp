@@ -42,7 +42,7 @@ std::vector<std::string> models_of(int faces) {
 Seconds time_job(const std::string& text, int parts) {
   using Clock = std::chrono::steady_clock;
   const auto bytes = std::as_bytes(std::span(text));
-  Job job({{"model.obj", {bytes.begin(), bytes.end()}}}, {.parts = parts});
+  Job job({{"model.obj", {bytes.begin(), bytes.end()}}}, {.parts = {.count = parts}});
   Seconds seconds;
   StageId stage = StageId::kRead;
   while (!job.finished()) {

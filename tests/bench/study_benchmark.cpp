@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
   BenchmarkScores scores[kSeriesCount];
   for (const BenchmarkModel& model : models) {
     const int wanted = parts.at(model.category());
-    JobState state = learn_model(model.file, {.parts = wanted});
-    const Mesh& mesh = state.surface->mesh;
+    JobState state = learn_model(model.file, {.parts = {.count = wanted}});
+    const Mesh& mesh = state.model.surface->mesh;
     for (const Segmenter segmenter : {Segmenter::kShape, Segmenter::kFoldability}) {
       state.options.segmenter = segmenter;
       scores[segmenter == Segmenter::kShape ? kShapeToo : kPaperOnly].add(

@@ -107,7 +107,8 @@ int main(int argc, char** argv) {
   SvgCanvas canvas(1000, kRow * std::size(kStudyModels));
   double y = 0;
   for (const char* model : kStudyModels) {
-    const auto result = run_timed(organic_model(model, kFaces), {.parts = kParts}).result;
+    const auto result =
+        run_timed(organic_model(model, kFaces), {.parts = {.count = kParts}}).result;
     const Mesh& mesh = result->mesh;
     const DualGraph graph = build_dual_graph(mesh);
     const std::vector<int> whole(graph.panel_count(), 0);

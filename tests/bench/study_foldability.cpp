@@ -62,8 +62,8 @@ int main(int argc, char** argv) {
   const StudyFolder folder(std::span(argv, static_cast<std::size_t>(argc)));
   Table table({"model", "panels", "isolated before, % of area", "after"});
   for (const char* model : kStudyModels) {
-    const JobState state = learn_model(organic_model(model, kFaces), {.parts = kParts});
-    const Component& component = state.components.front();
+    const JobState state = learn_model(organic_model(model, kFaces), {.parts = {.count = kParts}});
+    const Component& component = state.parts.components.front();
     const Mesh& mesh = component.learned->surface->mesh;
     const DualGraph graph =
         restrict_to(component.learned->surface->graph, component.learned->panels);

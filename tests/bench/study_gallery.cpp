@@ -34,8 +34,9 @@ int main(int argc, char** argv) {
     if (model.category() == last_category) continue;
     last_category = model.category();
     const int wanted = parts.at(model.category());
-    const JobState state = learn_model(model.file, {.parts = wanted, .faces = kFaces});
-    const Mesh& mesh = state.surface->mesh;
+    const JobState state =
+        learn_model(model.file, {.model = {.faces = kFaces}, .parts = {.count = wanted}});
+    const Mesh& mesh = state.model.surface->mesh;
     const double x = kTile * (tile % kColumns);
     const double y = (kTile + kCaption) * (tile / kColumns);
     draw_mesh(canvas, {x + 8, y + 8, kTile - 16, kTile - 16}, mesh, parts_of(state, wanted),

@@ -30,7 +30,8 @@ constexpr Column kColumns[] = {{"steepest edge", Heuristic::kSteepestEdge, 1},
                                {"random", Heuristic::kRandom, 1}};
 
 std::vector<int> parts_by(const char* model, const Column& column) {
-  const JobOptions options = {.parts = kParts, .heuristic = column.heuristic, .seed = column.seed};
+  const JobOptions options = {.parts = {.count = kParts, .heuristic = column.heuristic},
+                              .seed = column.seed};
   return parts_of(learn_model(organic_model(model, kFaces), options), kParts);
 }
 

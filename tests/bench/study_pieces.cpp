@@ -33,8 +33,9 @@ int main(int argc, char** argv) {
   for (const int faces : kSizes) {
     for (const char* model : kStudyModels) {
       const auto path = organic_model(model, faces);
-      const auto parts = run_timed(path, {.parts = kParts}).result;
-      const auto whole = run_timed(path, {.parts = 1, .folding = FoldingMode::kOff}).result;
+      const auto parts = run_timed(path, {.parts = {.count = kParts}}).result;
+      const auto whole =
+          run_timed(path, {.parts = {.count = 1}, .nets = {.folding = FoldingMode::kOff}}).result;
       const std::vector<int> split = unfold_and_split(parts->mesh, build_dual_graph(parts->mesh));
       table.add({model, std::to_string(faces),
                  std::to_string(parts->pieces.size()) + " (" + std::to_string(kParts) + ")",

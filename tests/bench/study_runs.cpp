@@ -22,7 +22,8 @@ constexpr double kTile = 220, kMargin = 60;
 
 /// Segmentations of one model by number of parts.
 std::vector<std::vector<int>> segmentations(const char* model, int runs) {
-  const JobState learned = learn_model(organic_model(model, kFaces), {.parts = 2, .runs = runs});
+  const JobState learned =
+      learn_model(organic_model(model, kFaces), {.parts = {.count = 2, .runs = runs}});
   std::vector<std::vector<int>> all;
   for (const int parts : kParts) all.push_back(parts_of(learned, parts));
   return all;

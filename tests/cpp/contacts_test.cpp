@@ -25,8 +25,8 @@ std::string chest_with_studs() {
 
 Outcome run_chest(IdPlace ids = IdPlace::kFlap) {
   JobOptions options;
-  options.size = {Sizing::kScale, 1, Unit::kMillimetre};
-  options.ids = ids;
+  options.paper.size = {Sizing::kScale, 1, Unit::kMillimetre};
+  options.paper.ids = ids;
   return run_file(chest_with_studs(), "chest.obj", options);
 }
 

@@ -87,7 +87,7 @@ TEST(Corpus, EveryPieceFoldsUp) {
     if (!name.ends_with("_300.obj")) continue;
     SCOPED_TRACE(name);
     const std::string text = bytes_of(path);
-    Job job({{name, to_bytes(text)}}, {.parts = 8, .runs = 100});
+    Job job({{name, to_bytes(text)}}, {.parts = {.count = 8, .runs = 100}});
     Events events;
     while (!job.finished()) events = job.step(1000000);
     ASSERT_TRUE(std::holds_alternative<DoneEvent>(events.back()));
@@ -133,8 +133,8 @@ TEST(Corpus, OwnModelsBecomeNetsThatFold) {
   for (const fs::path& path : corpus_files()) {
     for (const int parts : {0, 3}) {
       SCOPED_TRACE(path.filename().string() + " in " + std::to_string(parts) + " parts");
-      const Outcome outcome =
-          run_file(bytes_of(path), path.filename().string(), {.parts = parts, .runs = 100});
+      const Outcome outcome = run_file(bytes_of(path), path.filename().string(),
+                                       {.parts = {.count = parts, .runs = 100}});
       expect_sound(outcome);
       ASSERT_TRUE(outcome.result);
       const DualGraph graph = build_dual_graph(outcome.result->mesh);

@@ -39,8 +39,10 @@ TEST(EqualBodies, AreSearchedOnceAndGetEqualNets) {
   std::vector<Solid> crates;
   for (int i = 0; i < 20; ++i)
     crates.push_back(moved(crate(), {40.0 * (i % 5), 30.0 * (i / 5), 0}));
-  const JobOptions options{.parts = 20, .size = {.by = Sizing::kScale, .value = 1}};
-  const Outcome one = run_file(obj_of(crate()), "one.obj", {.parts = 1, .size = options.size});
+  const JobOptions options{.parts = {.count = 20},
+                           .paper = {.size = {.by = Sizing::kScale, .value = 1}}};
+  const Outcome one = run_file(obj_of(crate()), "one.obj",
+                               {.parts = {.count = 1}, .paper = {.size = options.paper.size}});
   const Outcome all = run_file(obj_of(together("crates", crates)), "crates.obj", options);
   expect_sound(all);
   ASSERT_EQ(all.result->pieces.size(), 20u);
@@ -55,7 +57,7 @@ TEST(EqualBodies, AreSearchedOnceAndGetEqualNets) {
 TEST(EqualBodies, OfSeveralPartsHaveEqualParts) {
   const Solid shape = craft_shapes()[7].solid;  // torus
   const Solid two = together("two", {shape, moved(shape, {400, 0, 0})});
-  const Outcome outcome = run_file(obj_of(two), "two.obj", {.parts = 8, .runs = 50});
+  const Outcome outcome = run_file(obj_of(two), "two.obj", {.parts = {.count = 8, .runs = 50}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->parts, 8);
   std::map<std::map<std::pair<char, long>, int>, int> looks;
@@ -66,7 +68,7 @@ TEST(EqualBodies, OfSeveralPartsHaveEqualParts) {
 TEST(EqualBodies, AreHandedOverWhereTheSearchIsCancelled) {
   std::vector<Solid> crates;
   for (int i = 0; i < 4; ++i) crates.push_back(moved(crate(), {40.0 * i, 0, 0}));
-  Job job({{"crates.obj", to_bytes(obj_of(together("crates", crates)))}}, {.parts = 4});
+  Job job({{"crates.obj", to_bytes(obj_of(together("crates", crates)))}}, {.parts = {.count = 4}});
   Outcome outcome;
   while (!job.finished()) {
     append(outcome, job.step(100));
@@ -92,7 +94,7 @@ TEST(EqualParts, OfAMirroredBodyGetMirroredNets) {
   const auto rabbit = std::ranges::find(files, "rabbit.stl",
                                         [](const auto& file) { return file.filename().string(); });
   ASSERT_NE(rabbit, files.end());
-  const Outcome outcome = run_file(bytes_of(*rabbit), "rabbit.stl", {.parts = 8});
+  const Outcome outcome = run_file(bytes_of(*rabbit), "rabbit.stl", {.parts = {.count = 8}});
   expect_sound(outcome);
   int twins = 0;
   const std::vector<Piece>& pieces = outcome.result->pieces;

@@ -12,8 +12,8 @@ namespace {
 /// Runs a job with six parts until `wanted` nets are found, then cancels it.
 CancelledEvent cancel_after(int wanted) {
   JobOptions options;
-  options.parts = 6;
-  options.runs = 30;
+  options.parts.count = 6;
+  options.parts.runs = 30;
   Job job({{"hills.obj", testing::to_bytes(testing::obj_of(testing::bumpy_sphere(300)))}}, options);
   int nets = 0;
   while (nets < wanted) {

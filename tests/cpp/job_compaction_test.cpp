@@ -9,10 +9,10 @@ namespace {
 
 JobOptions at_height(double mm, int parts, bool compaction) {
   JobOptions options;
-  options.parts = parts;
-  options.runs = 60;
-  options.size = {Sizing::kHeight, mm};
-  options.compaction = compaction;
+  options.parts.count = parts;
+  options.parts.runs = 60;
+  options.paper.size = {Sizing::kHeight, mm};
+  options.nets.compaction = compaction;
   return options;
 }
 
@@ -52,9 +52,9 @@ TEST(JobCompaction, BringsPiecesOntoTheSheet) {
 
 TEST(JobCompaction, WorksWithoutFlapsAndWithoutFolding) {
   JobOptions options = at_height(100, 2, true);
-  options.flaps.side = FlapSide::kNone;
+  options.paper.flaps.side = FlapSide::kNone;
   expect_sound(run(bumpy_sphere(120), options));
-  options.folding = FoldingMode::kOff;
+  options.nets.folding = FoldingMode::kOff;
   const Outcome outcome = run(bumpy_sphere(120), options);
   expect_sound(outcome);
   for (const Piece& piece : outcome.result->pieces) {

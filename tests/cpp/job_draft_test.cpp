@@ -12,8 +12,8 @@ namespace {
 
 JobOptions options_of_six_parts() {
   JobOptions options;
-  options.parts = 6;
-  options.runs = 30;
+  options.parts.count = 6;
+  options.parts.runs = 30;
   return options;
 }
 

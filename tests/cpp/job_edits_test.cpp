@@ -14,7 +14,7 @@
 namespace foldwright::testing {
 namespace {
 
-const JobOptions kFive = {.parts = 5, .runs = 40, .compaction = false};
+const JobOptions kFive = {.parts = {.count = 5, .runs = 40}, .nets = {.compaction = false}};
 
 JobStart start_of(const JobResult& result, std::vector<PartEdit> edits) {
   return {.labels = result.labels, .nets = result.nets, .part_edits = std::move(edits)};
@@ -78,8 +78,8 @@ TEST(JobEdits, ChangeNothingWithoutEdits) {
     SCOPED_TRACE(mesh.face_count());
     for (const FoldingMode folding : {FoldingMode::kPrefer, FoldingMode::kOff}) {
       const bool compaction = mesh.face_count() < 100;
-      const JobOptions options = {
-          .parts = 3, .folding = folding, .runs = 20, .compaction = compaction};
+      const JobOptions options = {.parts = {.count = 3, .runs = 20},
+                                  .nets = {.folding = folding, .compaction = compaction}};
       const Outcome earlier = run(mesh, options);
       expect_sound(earlier);
       const Outcome later = run_from(mesh, start_of(*earlier.result, {}), options);
@@ -98,7 +98,7 @@ TEST(JobEdits, NameAPartAndChangeNothingElse) {
   const Outcome earlier = run(mesh, kFive);
   expect_sound(earlier);
   JobOptions options = kFive;
-  options.names = {{2, "Left wing"}};
+  options.paper.names = {{2, "Left wing"}};
   const Outcome later = run_from(mesh, start_of(*earlier.result, {}), options);
   expect_sound(later);
   EXPECT_EQ(later.result->moves, 0);
@@ -122,14 +122,14 @@ TEST(JobEdits, LeaveNamesWithTheirParts) {
   const auto [a, b] = neighbours(*earlier.result);
   JobOptions options = kFive;
   for (int part = 0; part < 5; ++part) {
-    if (part != b) options.names.push_back({part, "Part no. " + std::to_string(part)});
+    if (part != b) options.paper.names.push_back({part, "Part no. " + std::to_string(part)});
   }
   const Outcome later = run_from(mesh, start_of(*earlier.result, {{{a, b}, 1}}), options);
   expect_sound(later);
   ASSERT_EQ(later.result->names.size(), 4u);
   for (const auto& [part, name] : later.result->names) {
     const auto is_it = [&](const PartName& chosen) { return chosen.name == name; };
-    const int before = std::ranges::find_if(options.names, is_it)->part;
+    const int before = std::ranges::find_if(options.paper.names, is_it)->part;
     std::set<int> made_of = {before};
     if (before == a) made_of.insert(b);
     EXPECT_EQ(faces_of(*later.result, {part}), faces_of(*earlier.result, made_of)) << name;
@@ -140,7 +140,7 @@ TEST(JobEdits, KeepPinsOfPartsThatGetOtherNumbers) {
   const Mesh mesh = torus(12, 9);
   JobOptions options = kFive;
   // So that no piece is larger or smaller after the merge.
-  options.size = {Sizing::kHeight, 40};
+  options.paper.size = {Sizing::kHeight, 40};
   const Outcome earlier = run(mesh, options);
   expect_sound(earlier);
   const auto [a, b] = neighbours(*earlier.result);
@@ -149,7 +149,7 @@ TEST(JobEdits, KeepPinsOfPartsThatGetOtherNumbers) {
   ASSERT_NE(b, last);
   const auto piece = std::ranges::find(earlier.result->pieces, last, &Piece::part);
   // Off the edges, as its flaps may change with its neighbours.
-  options.pins = {{last, piece->net.faces[0], {{0, 60, 60}, piece->angle}}};
+  options.paper.pins = {{last, piece->net.faces[0], {{0, 60, 60}, piece->angle}}};
   const Outcome later = run_from(mesh, start_of(*earlier.result, {{{a, b}, 1}}), options);
   expect_sound(later);
   EXPECT_EQ(later.result->labels[piece->net.faces[0]], b);
@@ -224,7 +224,7 @@ TEST(JobEdits, SplitAPartIntoItsPanels) {
 
 TEST(JobEdits, SplitWhatHasNoNetOnceMerged) {
   const Mesh mesh = saddle(8, 7);
-  const JobOptions options = {.parts = 2, .runs = 20};
+  const JobOptions options = {.parts = {.count = 2, .runs = 20}};
   const Outcome earlier = run(mesh, options);
   expect_sound(earlier);
   ASSERT_EQ(earlier.result->parts, 2);
@@ -256,8 +256,8 @@ TEST(JobEdits, GiveTheSameInWhateverSlices) {
 
 TEST(JobEdits, KeepNetsThatSheetsCutAgain) {
   const Mesh mesh = bumpy_sphere(200);
-  JobOptions options = {.parts = 3, .runs = 20};
-  options.size = {Sizing::kHeight, 500};
+  JobOptions options = {.parts = {.count = 3, .runs = 20}};
+  options.paper.size = {Sizing::kHeight, 500};
   const Outcome earlier = run(mesh, options);
   expect_sound(earlier);
   ASSERT_GT(earlier.result->pieces.size(), 3u);
@@ -281,7 +281,8 @@ TEST(JobEdits, SearchPartsWithoutNetsAgain) {
 
 TEST(JobEdits, LearnLargePartsOnProxies) {
   const Mesh mesh = bumpy_sphere(800);
-  const JobOptions options = {.parts = 2, .runs = 20, .proxy = 100, .compaction = false};
+  const JobOptions options = {.parts = {.count = 2, .runs = 20, .proxy = 100},
+                              .nets = {.compaction = false}};
   const Outcome earlier = run(mesh, options);
   const Outcome later = run_from(mesh, start_of(*earlier.result, {{{0}, 3}}), options);
   expect_sound(later);
@@ -321,7 +322,7 @@ TEST(JobEdits, RefuseWhatCannotBeDone) {
 
 TEST(JobEdits, RefuseToMergePartsThatDoNotTouch) {
   const Mesh mesh = accordion({1, 1, 1, 1, 1, 1});
-  const JobOptions options = {.parts = 3, .runs = 20};
+  const JobOptions options = {.parts = {.count = 3, .runs = 20}};
   const Outcome earlier = run(mesh, options);
   expect_sound(earlier);
   std::set<int> ends = {earlier.result->labels.front(), earlier.result->labels.back()};

@@ -10,14 +10,15 @@ namespace {
 
 TEST(JobFolding, FoldsEveryPiece) {
   const std::pair<Mesh, JobOptions> cases[] = {
-      {cube(), {.parts = 1}},
-      {l_prism(), {.parts = 2, .runs = 20}},
-      {torus(10, 7), {.parts = 3, .runs = 40}},
-      {bumpy_sphere(200), {.parts = 4, .runs = 40}},
-      {dumbbell(), {.parts = 1, .folding = FoldingMode::kRequire}},
-      {two_sided_square(), {.parts = 1}},
-      {open_strip(3), {.parts = 1}},
-      {bumpy_sphere(120), {.parts = 2, .solver = Solver::kGenetic, .runs = 40}}};
+      {cube(), {.parts = {.count = 1}}},
+      {l_prism(), {.parts = {.count = 2, .runs = 20}}},
+      {torus(10, 7), {.parts = {.count = 3, .runs = 40}}},
+      {bumpy_sphere(200), {.parts = {.count = 4, .runs = 40}}},
+      {dumbbell(), {.parts = {.count = 1}, .nets = {.folding = FoldingMode::kRequire}}},
+      {two_sided_square(), {.parts = {.count = 1}}},
+      {open_strip(3), {.parts = {.count = 1}}},
+      {bumpy_sphere(120),
+       {.parts = {.count = 2, .runs = 40}, .nets = {.solver = Solver::kGenetic}}}};
   for (const auto& [mesh, options] : cases) {
     SCOPED_TRACE(mesh.face_count());
     const Outcome outcome = run(mesh, options);
@@ -34,7 +35,7 @@ TEST(JobFolding, FoldsEveryPiece) {
 
 TEST(JobFolding, WouldBeCaughtWithAWrongMotion) {
   // What the test before rests on: half as far again, the faces run into each other.
-  const JobResult result = *run(bumpy_sphere(120), {.parts = 2, .runs = 20}).result;
+  const JobResult result = *run(bumpy_sphere(120), {.parts = {.count = 2, .runs = 20}}).result;
   const DualGraph graph = build_dual_graph(result.mesh);
   Piece piece = result.pieces[0];
   for (double& angle : piece.motion.angles.back()) angle *= 1.5;
@@ -43,7 +44,8 @@ TEST(JobFolding, WouldBeCaughtWithAWrongMotion) {
 }
 
 TEST(JobFolding, LooksAtNoMotionWhenFoldingIsOff) {
-  const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kOff});
+  const Outcome outcome =
+      run(crossing_strip(), {.parts = {.count = 1}, .nets = {.folding = FoldingMode::kOff}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.notices(), std::multiset<std::string>{"unchecked-pieces"});
   EXPECT_EQ(describe(outcome.result->notices[0]), "unchecked-pieces what=off pieces=A");
@@ -55,7 +57,8 @@ TEST(JobFolding, LooksAtNoMotionWhenFoldingIsOff) {
 }
 
 TEST(JobFolding, SaysWhenAModelMeetsItself) {
-  const Outcome outcome = run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kPrefer});
+  const Outcome outcome =
+      run(crossing_strip(), {.parts = {.count = 1}, .nets = {.folding = FoldingMode::kPrefer}});
   expect_sound(outcome);
   EXPECT_TRUE(outcome.notices().contains("meets-itself"));
   EXPECT_FALSE(outcome.notices().contains("no-motion"));
@@ -65,8 +68,8 @@ TEST(JobFolding, SaysWhenAModelMeetsItself) {
 }
 
 TEST(JobFolding, SplitsAModelThatMeetsItselfIfAMotionIsRequired) {
-  const Outcome outcome =
-      run(crossing_strip(), {.parts = 1, .folding = FoldingMode::kRequire, .runs = 20});
+  const Outcome outcome = run(crossing_strip(), {.parts = {.count = 1, .runs = 20},
+                                                 .nets = {.folding = FoldingMode::kRequire}});
   expect_sound(outcome);
   EXPECT_GT(outcome.result->pieces.size(), 1u);
   for (const Piece& piece : outcome.result->pieces) {
@@ -77,7 +80,7 @@ TEST(JobFolding, SplitsAModelThatMeetsItselfIfAMotionIsRequired) {
 
 TEST(JobFolding, FoldsTheShareOfAModelThatMeetsItselfThatDoesNot) {
   // In two parts, each free of itself, the strip folds.
-  const Outcome outcome = run(crossing_strip(), {.parts = 2, .runs = 20});
+  const Outcome outcome = run(crossing_strip(), {.parts = {.count = 2, .runs = 20}});
   expect_sound(outcome);
   EXPECT_FALSE(outcome.notices().contains("meets-itself"));
   for (const Piece& piece : outcome.result->pieces) {
@@ -87,7 +90,8 @@ TEST(JobFolding, FoldsTheShareOfAModelThatMeetsItselfThatDoesNot) {
 
 /// A job of one part whose host says of all nets of the whole model that they do not fold.
 Outcome run_without_motion(const Mesh& mesh, FoldingMode folding) {
-  Job job({{"model.obj", to_bytes(obj_of(mesh))}}, {.parts = 1, .folding = folding, .runs = 20});
+  Job job({{"model.obj", to_bytes(obj_of(mesh))}},
+          {.parts = {.count = 1, .runs = 20}, .nets = {.folding = folding}});
   const auto panels = static_cast<std::size_t>(build_dual_graph(mesh).panel_count());
   Outcome outcome;
   while (!job.finished()) {

@@ -15,7 +15,8 @@ TEST(JobParts, AreAsManyAsAskedForFromOneToAllFaces) {
   ASSERT_EQ(build_dual_graph(mesh).panel_count(), mesh.face_count());
   for (int parts = 1; parts <= mesh.face_count(); ++parts) {
     SCOPED_TRACE(parts);
-    const Outcome outcome = run(mesh, {.parts = parts, .runs = 20, .compaction = false});
+    const Outcome outcome =
+        run(mesh, {.parts = {.count = parts, .runs = 20}, .nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
     EXPECT_EQ(static_cast<int>(outcome.result->pieces.size()), parts);
@@ -23,7 +24,8 @@ TEST(JobParts, AreAsManyAsAskedForFromOneToAllFaces) {
     notices.erase("smaller-saves-sheets");  // may be told of any number of sheets
     EXPECT_TRUE(notices.empty());
   }
-  const Outcome more = run(mesh, {.parts = mesh.face_count() + 1, .runs = 20, .compaction = false});
+  const Outcome more = run(
+      mesh, {.parts = {.count = mesh.face_count() + 1, .runs = 20}, .nets = {.compaction = false}});
   expect_sound(more);
   EXPECT_EQ(more.result->parts, mesh.face_count());
   const auto notices = more.all<Notice>();
@@ -36,8 +38,8 @@ TEST(JobParts, AreAsManyAsAskedForOnProxies) {
   const int faces = mesh.face_count();
   for (const int parts : {1, 2, 20, faces / 2, faces - 1, faces}) {
     SCOPED_TRACE(parts);
-    const Outcome outcome =
-        run(mesh, {.parts = parts, .runs = 20, .proxy = 100, .compaction = false});
+    const Outcome outcome = run(
+        mesh, {.parts = {.count = parts, .runs = 20, .proxy = 100}, .nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
   }
@@ -47,7 +49,8 @@ TEST(JobParts, GetANetEvenIfTheyAreClosedOrHaveHandles) {
   for (const Mesh& mesh : {torus(10, 7), torus(24, 15), pretzel(), dumbbell(), star()}) {
     SCOPED_TRACE(mesh.face_count());
     for (const FoldingMode folding : {FoldingMode::kOff, FoldingMode::kPrefer}) {
-      const Outcome outcome = run(mesh, {.parts = 1, .folding = folding, .compaction = false});
+      const Outcome outcome =
+          run(mesh, {.parts = {.count = 1}, .nets = {.folding = folding, .compaction = false}});
       expect_sound(outcome);
       EXPECT_EQ(outcome.result->pieces.size(), 1u);
     }
@@ -59,7 +62,8 @@ TEST(JobParts, GetANetEvenOfASkullWithHandles) {
   for (const char* name : {"skull_300.obj", "skull_574.obj"}) {
     SCOPED_TRACE(name);
     const auto path = shared_folder() / "models/organic" / name;
-    const Outcome outcome = run_file(bytes_of(path), name, {.parts = 1, .compaction = false});
+    const Outcome outcome =
+        run_file(bytes_of(path), name, {.parts = {.count = 1}, .nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->pieces.size(), 1u);
   }
@@ -92,7 +96,7 @@ std::string block_with_tunnel() {
 TEST(JobParts, OfSimpleShapesAreOneWhereNobodyChoosesANumber) {
   for (const Mesh& mesh : {l_prism(), dumbbell(), star(), accordion({1, 2, 1})}) {
     SCOPED_TRACE(mesh.face_count());
-    const Outcome outcome = run(mesh, {.compaction = false});
+    const Outcome outcome = run(mesh, {.nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, 1);
     EXPECT_EQ(outcome.result->pieces.size(), 1u);
@@ -101,12 +105,13 @@ TEST(JobParts, OfSimpleShapesAreOneWhereNobodyChoosesANumber) {
 
 TEST(JobParts, AreThePiecesThatComeOutWhereNobodyChoosesANumber) {
   const std::string text = block_with_tunnel();
-  const Outcome whole = run_file(text, "block.obj", {.parts = 1, .compaction = false});
+  const Outcome whole =
+      run_file(text, "block.obj", {.parts = {.count = 1}, .nets = {.compaction = false}});
   expect_sound(whole);
   const std::size_t pieces = whole.result->pieces.size();
   EXPECT_GT(pieces, 1u);
   EXPECT_TRUE(whole.notices().contains("part-split"));
-  const Outcome outcome = run_file(text, "block.obj", {.compaction = false});
+  const Outcome outcome = run_file(text, "block.obj", {.nets = {.compaction = false}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->pieces.size(), pieces);
   EXPECT_EQ(outcome.result->parts, static_cast<int>(pieces));
@@ -114,8 +119,8 @@ TEST(JobParts, AreThePiecesThatComeOutWhereNobodyChoosesANumber) {
 }
 
 TEST(JobParts, AreAsManyAsTheSheetsWantWhereNobodyChoosesANumber) {
-  JobOptions options{.compaction = false};
-  options.size = {Sizing::kHeight, 180};
+  JobOptions options{.nets = {.compaction = false}};
+  options.paper.size = {Sizing::kHeight, 180};
   const Outcome outcome = run(l_prism(), options);
   expect_sound(outcome);
   EXPECT_GT(outcome.result->parts, 1);

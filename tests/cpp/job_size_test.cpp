@@ -15,9 +15,9 @@ namespace {
 
 JobOptions sized(Sizing by, double value, int parts) {
   JobOptions options;
-  options.parts = parts;
-  options.runs = 60;
-  options.size = {by, value};
+  options.parts.count = parts;
+  options.parts.runs = 60;
+  options.paper.size = {by, value};
   return options;
 }
 
@@ -74,7 +74,7 @@ TEST(JobSize, TurnsTheAxisAskedForUp) {
   const std::pair<Up, Vec3> cases[] = {
       {Up::kX, Vec3(40, 60, 100)}, {Up::kY, Vec3(60, 40, 100)}, {Up::kZ, Vec3(60, 100, 40)}};
   for (const auto& [up, size] : cases) {
-    JobOptions options{.parts = 1, .up = up};
+    JobOptions options{.model = {.up = up}, .parts = {.count = 1}};
     const Outcome outcome = run(tall_box(), options);
     expect_sound(outcome);
     EXPECT_LT((extents(outcome.result->mesh) - size).norm(), 1e-9);
@@ -114,8 +114,8 @@ TEST(JobSize, CutsAgainWhatIsTooLargeForTheSheet) {
 }
 
 int parts_by_auto(const Mesh& mesh, const SizeOptions& size) {
-  JobOptions options{.parts = 0, .runs = 60, .compaction = false};
-  options.size = size;
+  JobOptions options{.parts = {.count = 0, .runs = 60}, .nets = {.compaction = false}};
+  options.paper.size = size;
   const Outcome outcome = run(mesh, options);
   expect_sound(outcome);
   return outcome.result->parts;
@@ -156,7 +156,7 @@ TEST(JobSize, IsTheLargestThatGoesOnSoManySheets) {
 TEST(JobSize, SaysWhatUnitItGuessed) {
   EXPECT_TRUE(has_notice(*run(cube(), sized(Sizing::kScale, 0.05, 1)).result, "unit-guessed"));
   JobOptions options = sized(Sizing::kScale, 40, 1);
-  options.size.unit = Unit::kMillimetre;
+  options.paper.size.unit = Unit::kMillimetre;
   const Outcome outcome = run(cube(), options);
   EXPECT_FALSE(has_notice(*outcome.result, "unit-guessed"));
   EXPECT_NEAR(outcome.result->sheets.scale, 40, 1e-12);
@@ -178,7 +178,8 @@ TEST(JobSize, KeepsFlapsOnASheetThatAPieceFitsInOneTurnOnly) {
   for (const double height : {149.0, 150.0, 151.0}) {
     SCOPED_TRACE(height);
     const Outcome outcome =
-        run_file(bytes_of(path), "spot.obj", {.parts = 8, .size = {Sizing::kHeight, height}});
+        run_file(bytes_of(path), "spot.obj",
+                 {.parts = {.count = 8}, .paper = {.size = {Sizing::kHeight, height}}});
     expect_sound(outcome);
     expect_all_fit(*outcome.result, sheet);
   }

@@ -61,7 +61,8 @@ TEST(Job, MakesNetsOfSmallMeshes) {
     for (const int parts : {0, 1, 2, 5}) {
       SCOPED_TRACE(parts);
       // Compaction takes its time whatever the mesh: once for each is enough.
-      const Outcome outcome = run(mesh, {.parts = parts, .runs = 60, .compaction = parts == 2});
+      const Outcome outcome =
+          run(mesh, {.parts = {.count = parts, .runs = 60}, .nets = {.compaction = parts == 2}});
       expect_sound(outcome);
       EXPECT_TRUE(parts == 0 || outcome.result->parts == std::min(parts, panels));
       EXPECT_EQ(static_cast<int>(outcome.result->pieces.size()), outcome.result->parts);
@@ -73,8 +74,8 @@ TEST(Job, MakesNetsWithEverySegmenterAndSolver) {
   for (const Mesh& mesh : {star(), random_hull(1, 60)}) {
     for (const Segmenter segmenter : {Segmenter::kShape, Segmenter::kFoldability}) {
       for (const Solver solver : {Solver::kTree, Solver::kGenetic}) {
-        const JobOptions options = {
-            .parts = 4, .segmenter = segmenter, .solver = solver, .runs = 40, .compaction = false};
+        const JobOptions options = {.parts = {.count = 4, .segmenter = segmenter, .runs = 40},
+                                    .nets = {.solver = solver, .compaction = false}};
         const Outcome outcome = run(mesh, options);
         expect_sound(outcome);
         EXPECT_EQ(outcome.result->parts, 4);
@@ -93,7 +94,7 @@ TEST(Job, MakesANetOfAMoebiusStrip) {
     for (const int corner : corners_of(strip, face)) out << ' ' << corner + 1;
     out << '\n';
   }
-  const Outcome outcome = run_file(out.str(), "strip.obj", {.parts = 1});
+  const Outcome outcome = run_file(out.str(), "strip.obj", {.parts = {.count = 1}});
   expect_sound(outcome);
   EXPECT_FALSE(outcome.result->repairs.empty());
   std::vector<std::string> told;
@@ -114,8 +115,9 @@ TEST(Job, MakesNetsOfSharedModels) {
   for (const auto& [name, parts] : cases) {
     SCOPED_TRACE(name);
     const auto path = shared_folder() / "models" / name;
-    const Outcome outcome = run_file(bytes_of(path), path.filename().string(),
-                                     {.parts = parts, .runs = 100, .compaction = false});
+    const Outcome outcome =
+        run_file(bytes_of(path), path.filename().string(),
+                 {.parts = {.count = parts, .runs = 100}, .nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, parts);
   }
@@ -128,13 +130,15 @@ TEST(Job, MakesNetsOfSharedLowPolyModels) {
     // Every eighth, to keep it short: many are alike.
     if (path.extension() != ".obj" || count++ % 8 != 0) continue;
     SCOPED_TRACE(path.string());
-    expect_sound(run_file(bytes_of(path), name, {.runs = 20, .compaction = false}));
+    expect_sound(
+        run_file(bytes_of(path), name, {.parts = {.runs = 20}, .nets = {.compaction = false}}));
   }
   if (count == 0) GTEST_SKIP() << kNoSharedModels;
 }
 
 TEST(Job, TellsProgressThatNeverFalls) {
-  for (const JobOptions& options : {JobOptions{.parts = 3, .runs = 30}, JobOptions{.parts = 1}}) {
+  for (const JobOptions& options :
+       {JobOptions{.parts = {.count = 3, .runs = 30}}, JobOptions{.parts = {.count = 1}}}) {
     const Outcome outcome = run(torus(10, 7), options, 500);
     double before = 0;
     int stage = 0;
@@ -151,7 +155,7 @@ TEST(Job, TellsProgressThatNeverFalls) {
 }
 
 TEST(Job, TellsWhatItFinds) {
-  const Outcome outcome = run(dumbbell(), {.parts = 3, .runs = 30}, 2000);
+  const Outcome outcome = run(dumbbell(), {.parts = {.count = 3, .runs = 30}}, 2000);
   expect_sound(outcome);
   ASSERT_EQ(outcome.all<ModelEvent>().size(), 1u);
   EXPECT_EQ(outcome.all<ModelEvent>()[0].surface->mesh.face_count(), 336);
@@ -178,10 +182,12 @@ TEST(Job, TellsWhatItFinds) {
 
 TEST(Job, GivesTheSameWhoeverRunsTheTasksInWhateverSlices) {
   const std::pair<Mesh, JobOptions> cases[] = {
-      {torus(10, 7), {.parts = 4, .runs = 120}},
-      {bumpy_sphere(300), {.parts = 1, .compaction = false}},
-      {saddle(8, 7), {.parts = 1, .runs = 20, .compaction = false}},
-      {star(), {.parts = 2, .solver = Solver::kGenetic, .runs = 20, .compaction = false}}};
+      {torus(10, 7), {.parts = {.count = 4, .runs = 120}}},
+      {bumpy_sphere(300), {.parts = {.count = 1}, .nets = {.compaction = false}}},
+      {saddle(8, 7), {.parts = {.count = 1, .runs = 20}, .nets = {.compaction = false}}},
+      {star(),
+       {.parts = {.count = 2, .runs = 20},
+        .nets = {.solver = Solver::kGenetic, .compaction = false}}}};
   for (const auto& [mesh, options] : cases) {
     SCOPED_TRACE(mesh.face_count());
     const std::string hash = run(mesh, options).result->hash;
@@ -198,7 +204,8 @@ TEST(Job, GivesTheSameWhoeverRunsTheTasksInWhateverSlices) {
 
 TEST(Job, DependsOnTheSeed) {
   const auto hash = [](std::uint32_t seed) {
-    return run(torus(10, 7), {.parts = 4, .runs = 20, .seed = seed, .compaction = false})
+    return run(torus(10, 7),
+               {.parts = {.count = 4, .runs = 20}, .nets = {.compaction = false}, .seed = seed})
         .result->hash;
   };
   EXPECT_NE(hash(1), hash(2));
@@ -211,13 +218,13 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
     std::string code;
   };
   JobOptions wide_margin;
-  wide_margin.sheet.margin = 200;
+  wide_margin.paper.sheet.margin = 200;
   const std::string good = obj_of(cube());
   for (const Case& c : {Case{"no model at all", "model.obj", {}, "no-faces"},
                         Case{"", "model.stl", {}, "empty-file"},
                         Case{"no model at all", "model.xyz", {}, "unknown-format"},
                         Case{"v 0 0 0\nf 1 2 3\n", "model.obj", {}, "bad-index"},
-                        Case{good, "model.obj", {.runs = 0}, "bad-option"},
+                        Case{good, "model.obj", {.parts = {.runs = 0}}, "bad-option"},
                         Case{good, "model.obj", wide_margin, "bad-option"}}) {
     SCOPED_TRACE(c.text.substr(0, 20) + " " + c.name);
     const Outcome outcome = run_file(c.text, c.name, c.options);
@@ -230,11 +237,11 @@ TEST(Job, EndsWithOneErrorWhenTheInputIsBad) {
 
 TEST(Job, GivesEveryBodyItsOwnParts) {
   const Mesh two = beside(cube(), star());
-  const Outcome one = run(two, {.parts = 1, .runs = 20, .compaction = false});
+  const Outcome one = run(two, {.parts = {.count = 1, .runs = 20}, .nets = {.compaction = false}});
   expect_sound(one);
   EXPECT_EQ(one.result->parts, 2);
   EXPECT_EQ(one.notices(), std::multiset<std::string>{"parts-raised"});
-  const Outcome five = run(two, {.parts = 5, .runs = 20, .compaction = false});
+  const Outcome five = run(two, {.parts = {.count = 5, .runs = 20}, .nets = {.compaction = false}});
   expect_sound(five);
   EXPECT_EQ(five.result->parts, 5);
   EXPECT_TRUE(five.notices().empty());
@@ -242,11 +249,11 @@ TEST(Job, GivesEveryBodyItsOwnParts) {
     const auto of_cube = std::ranges::count_if(piece.net.faces, [](int f) { return f < 12; });
     EXPECT_TRUE(of_cube == 0 || of_cube == std::ssize(piece.net.faces));
   }
-  expect_sound(run(two, {.runs = 20, .compaction = false}));
+  expect_sound(run(two, {.parts = {.runs = 20}, .nets = {.compaction = false}}));
 }
 
 TEST(Job, MakesNoMorePartsThanPanels) {
-  const Outcome outcome = run(cube(), {.parts = 100, .runs = 10});
+  const Outcome outcome = run(cube(), {.parts = {.count = 100, .runs = 10}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->pieces.size(), 6u);
   EXPECT_EQ(outcome.notices(), std::multiset<std::string>{"parts-lowered"});
@@ -254,7 +261,7 @@ TEST(Job, MakesNoMorePartsThanPanels) {
 
 TEST(Job, SplitsABodyThatHasNoNet) {
   // Nothing was learned about it, since a single part was asked for.
-  const Outcome outcome = run(saddle(8, 7), {.parts = 1, .runs = 20});
+  const Outcome outcome = run(saddle(8, 7), {.parts = {.count = 1, .runs = 20}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->parts, 1);
   EXPECT_EQ(outcome.result->pieces.size(), 2u);
@@ -265,7 +272,9 @@ TEST(Job, SplitsABodyThatHasNoNet) {
 
 TEST(Job, SimplifiesAndStillLabelsEverySourceFace) {
   const Mesh mesh = bumpy_sphere(800);
-  const Outcome outcome = run(mesh, {.parts = 4, .runs = 30, .faces = 200, .compaction = false});
+  const Outcome outcome = run(
+      mesh,
+      {.model = {.faces = 200}, .parts = {.count = 4, .runs = 30}, .nets = {.compaction = false}});
   expect_sound(outcome);
   EXPECT_LE(outcome.result->mesh.face_count(), 200);
   ASSERT_EQ(outcome.result->segmentation.size(), mesh.faces.size());
@@ -275,9 +284,9 @@ TEST(Job, SimplifiesAndStillLabelsEverySourceFace) {
 }
 
 TEST(Job, SaysWhenItCannotSimplifyAsFarAsAsked) {
-  const Outcome outcome = run(two_sided_square(), {.faces = 4});
+  const Outcome outcome = run(two_sided_square(), {.model = {.faces = 4}});
   expect_sound(outcome);
-  const Outcome torus_outcome = run(torus(12, 9), {.parts = 1, .faces = 4});
+  const Outcome torus_outcome = run(torus(12, 9), {.model = {.faces = 4}, .parts = {.count = 1}});
   expect_sound(torus_outcome);
   EXPECT_GT(torus_outcome.result->mesh.face_count(), 4);
   EXPECT_EQ(torus_outcome.notices(), std::multiset<std::string>{"faces-above-wish"});
@@ -287,8 +296,8 @@ TEST(Job, LearnsOnAProxyAndKeepsAllFaces) {
   const Mesh mesh = bumpy_sphere(800);
   for (const int proxy : {0, 100, 799, 800}) {
     SCOPED_TRACE(proxy);
-    const Outcome outcome =
-        run(mesh, {.parts = 6, .runs = 20, .proxy = proxy, .compaction = false});
+    const Outcome outcome = run(
+        mesh, {.parts = {.count = 6, .runs = 20, .proxy = proxy}, .nets = {.compaction = false}});
     expect_sound(outcome);
     EXPECT_EQ(outcome.result->parts, 6);
     EXPECT_EQ(outcome.result->mesh.face_count(), mesh.face_count());
@@ -300,7 +309,7 @@ TEST(Job, LabelsTheFacesOfTheFile) {
   const std::string text =
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
       "f 1 4 3 2\nf 5 6 7 8\nf 1 1 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-  const Outcome outcome = run_file(text, "cube.obj", {.parts = 3, .runs = 20});
+  const Outcome outcome = run_file(text, "cube.obj", {.parts = {.count = 3, .runs = 20}});
   expect_sound(outcome);
   const JobResult& result = *outcome.result;
   ASSERT_EQ(result.segmentation.size(), 7u);
@@ -324,7 +333,7 @@ TEST(Job, SaysBeforeTheSearchWhatALargeModelCosts) {
     return false;
   };
   EXPECT_TRUE(tells({}));
-  EXPECT_FALSE(tells({.faces = 1000})) << "whoever asks for fewer knows";
+  EXPECT_FALSE(tells({.model = {.faces = 1000}})) << "whoever asks for fewer knows";
 }
 
 TEST(Job, RefusesToSearchNetsThatWouldTakeHours) {
@@ -337,11 +346,11 @@ TEST(Job, RefusesToSearchNetsThatWouldTakeHours) {
 
 TEST(Job, HandsOnHowTheModelLooks) {
   const std::string model = obj_of(tetrahedron());
-  const Outcome bare = run_file(model, "model.obj", {.parts = 1, .runs = 10});
+  const Outcome bare = run_file(model, "model.obj", {.parts = {.count = 1, .runs = 10}});
   expect_sound(bare);
   EXPECT_FALSE(bare.result->looks);
-  const Outcome red =
-      run_file("mtllib a.mtl\nusemtl red\n" + model, "model.obj", {.parts = 1, .runs = 10});
+  const Outcome red = run_file("mtllib a.mtl\nusemtl red\n" + model, "model.obj",
+                               {.parts = {.count = 1, .runs = 10}});
   expect_sound(red);
   ASSERT_TRUE(red.result->looks);
   EXPECT_EQ(red.result->looks->faces.materials, (std::vector<int>{0, 0, 0, 0}));
@@ -353,7 +362,8 @@ TEST(Job, HandsOnHowTheModelLooks) {
 
 TEST(Job, KeepsTheSurfaceThatLooksAreOfWhenItSimplifies) {
   const std::string model = "usemtl red\n" + obj_of(bumpy_sphere(200));
-  const Outcome outcome = run_file(model, "model.obj", {.parts = 1, .runs = 10, .faces = 60});
+  const Outcome outcome =
+      run_file(model, "model.obj", {.model = {.faces = 60}, .parts = {.count = 1, .runs = 10}});
   expect_sound(outcome);
   ASSERT_TRUE(outcome.result->looks);
   const ModelLooks& looks = *outcome.result->looks;

@@ -65,7 +65,8 @@ std::size_t count_texts(const JobResult& result, const std::string& text) {
 }
 
 TEST(Joints, AreNumberedAtBothSidesWithAFlapAndALine) {
-  const Outcome outcome = run_file(kBox + kFin, "model.obj", {.parts = 2, .compaction = false});
+  const Outcome outcome =
+      run_file(kBox + kFin, "model.obj", {.parts = {.count = 2}, .nets = {.compaction = false}});
   expect_sound(outcome);
   const JobResult& result = *outcome.result;
   EXPECT_TRUE(outcome.notices().contains("joints"));
@@ -94,15 +95,16 @@ TEST(Joints, AreNumberedAtBothSidesWithAFlapAndALine) {
 }
 
 TEST(Joints, DrawNoLineWhereAFoldIsDrawn) {
-  const Outcome outcome = run_file(kBox + kRim, "model.obj", {.parts = 2, .compaction = false});
+  const Outcome outcome =
+      run_file(kBox + kRim, "model.obj", {.parts = {.count = 2}, .nets = {.compaction = false}});
   expect_sound(outcome);
   for (const Piece& piece : outcome.result->pieces) EXPECT_TRUE(piece.joint_lines.empty());
   EXPECT_TRUE(outcome.result->skipped_ids.empty());
 }
 
 TEST(Joints, HaveNoFlapsWhereNoneAreWanted) {
-  JobOptions options{.parts = 2, .compaction = false};
-  options.flaps.side = FlapSide::kNone;
+  JobOptions options{.parts = {.count = 2}, .nets = {.compaction = false}};
+  options.paper.flaps.side = FlapSide::kNone;
   const Outcome outcome = run_file(kBox + kFin, "model.obj", options);
   expect_sound(outcome);
   for (const Piece& piece : outcome.result->pieces) EXPECT_TRUE(piece.flaps.empty());

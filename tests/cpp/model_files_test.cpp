@@ -57,7 +57,7 @@ TEST(FindModel, RefusesFilesWithoutAModel) {
 }
 
 TEST(ModelFiles, OfAJobMayBeSeveral) {
-  const JobOptions options{.parts = 1, .runs = 10};
+  const JobOptions options{.parts = {.count = 1, .runs = 10}};
   const Outcome alone = run_job(Job({model("cube.obj")}, options));
   const Outcome several = run_job(Job({kMaterials, model("cube.obj"), kPicture}, options));
   expect_sound(several);

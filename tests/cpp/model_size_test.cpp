@@ -54,17 +54,17 @@ TEST(LargestPartArea, GoesWithTheSheetAndTheSize) {
   const Mesh mesh = cube_of(2);
   JobOptions options;
   for (const Sizing by : {Sizing::kFit, Sizing::kSheets}) {
-    options.size = {by, 2};
-    EXPECT_TRUE(std::isinf(largest_part_area(mesh, options)));
+    options.paper.size = {by, 2};
+    EXPECT_TRUE(std::isinf(largest_part_area(mesh, options.paper)));
   }
-  options.size = {Sizing::kHeight, 100};
-  const double area = largest_part_area(mesh, options);
-  const Extent room = printable(options.sheet);
+  options.paper.size = {Sizing::kHeight, 100};
+  const double area = largest_part_area(mesh, options.paper);
+  const Extent room = printable(options.paper.sheet);
   const double share = area * 50 * 50 / (room.width * room.height);
   EXPECT_GT(share, 0.2);
   EXPECT_LT(share, 0.8);
-  options.size.value = 200;
-  EXPECT_DOUBLE_EQ(largest_part_area(mesh, options), area / 4);
+  options.paper.size.value = 200;
+  EXPECT_DOUBLE_EQ(largest_part_area(mesh, options.paper), area / 4);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@
 namespace foldwright::testing {
 namespace {
 
-const JobOptions kOptions = {
-    .parts = 4, .runs = 40, .size = {Sizing::kHeight, 40}, .compaction = false};
+const JobOptions kOptions = {.parts = {.count = 4, .runs = 40},
+                             .nets = {.compaction = false},
+                             .paper = {.size = {Sizing::kHeight, 40}}};
 
 JobStart start_of(const JobResult& result, std::vector<NetEdit> edits) {
   const SheetLayout& sheets = result.sheets;
@@ -149,7 +150,7 @@ std::optional<EdgeName> some_cut(const JobResult& result, bool within_one) {
 
 TEST(NetEdits, OpenTheLoopElsewhereWhenTheyJoinWithinANet) {
   const Mesh mesh = cube();
-  const JobOptions options = {.parts = 1, .runs = 20, .compaction = false};
+  const JobOptions options = {.parts = {.count = 1, .runs = 20}, .nets = {.compaction = false}};
   const Outcome before = run(mesh, options);
   ASSERT_TRUE(before.result);
   const EdgeName edge = *some_cut(*before.result, true);
@@ -170,7 +171,7 @@ TEST(NetEdits, OpenTheLoopElsewhereWhenTheyJoinWithinANet) {
 
 TEST(NetEdits, MergePartsWhoseNetsTheyJoin) {
   const Mesh mesh = cube();
-  const JobOptions options = {.parts = 2, .runs = 20, .compaction = false};
+  const JobOptions options = {.parts = {.count = 2, .runs = 20}, .nets = {.compaction = false}};
   const Outcome before = run(mesh, options);
   ASSERT_TRUE(before.result);
   ASSERT_EQ(before.result->pieces.size(), 2u);
@@ -194,7 +195,7 @@ bool folds_at(const JobResult& result, const EdgeName& edge) {
 
 JobOptions with_locks(std::vector<EdgeLock> locks) {
   JobOptions options = kOptions;
-  options.locks = std::move(locks);
+  options.parts.locks = std::move(locks);
   return options;
 }
 
@@ -252,7 +253,7 @@ TEST(NetEdits, LockEdgesThatAreThenAlwaysFolds) {
   const std::vector<EdgeLock> locks = locks_of_largest(edited.result(), 2);
   ASSERT_GT(locks.size(), 3u);
   JobOptions options = with_locks(locks);
-  options.compaction = true;
+  options.nets.compaction = true;
   for (int into : {1, 2}) {
     JobStart start = start_of(edited.result(), {});
     for (int part = 0; part < edited.result().parts; ++part) {
@@ -278,7 +279,7 @@ TEST(NetEdits, LockFoldsThatStayWherePiecesAreCutForTheSheet) {
     locks.push_back(lock_of(name_of(edited.mesh, before.nets[0].folds[i * folds / 4]), true));
   }
   JobOptions options = with_locks(locks);
-  options.size.value = 160;
+  options.paper.size.value = 160;
   JobStart start = start_of(before, {});
   start.paper.reset();
   const Outcome after = run_from(edited.mesh, std::move(start), options);
@@ -331,7 +332,7 @@ TEST(NetEdits, RefuseWhatCannotBeDone) {
 }
 
 TEST(NetEdits, KeepFlatFacesWhole) {
-  const Outcome before = run(cube(), {.runs = 20});
+  const Outcome before = run(cube(), {.parts = {.runs = 20}});
   ASSERT_TRUE(before.result);
   const Mesh& mesh = before.result->mesh;
   int inner = 0;
@@ -346,7 +347,7 @@ TEST(NetEdits, KeepFlatFacesWhole) {
 
 TEST(NetEdits, NameTheFacesInTheWay) {
   const Mesh mesh = torus(12, 9);
-  const JobOptions options = {.parts = 6, .runs = 40, .compaction = false};
+  const JobOptions options = {.parts = {.count = 6, .runs = 40}, .nets = {.compaction = false}};
   const Outcome before = run(mesh, options);
   ASSERT_TRUE(before.result);
   const std::set<int> folds = folds_of(*before.result);
@@ -370,7 +371,7 @@ TEST(NetEdits, KeepEverythingSoundOverRandomEdits) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const Mesh mesh = torus(8, 6);
-    const JobOptions options = {.parts = 3, .runs = 20, .compaction = false};
+    const JobOptions options = {.parts = {.count = 3, .runs = 20}, .nets = {.compaction = false}};
     Outcome now = run(mesh, options);
     ASSERT_TRUE(now.result);
     for (int i = 0; i < 20; ++i) {

@@ -23,20 +23,20 @@ std::string refusal(const JobOptions& options) {
 
 JobOptions with_sheet(const SheetOptions& sheet) {
   JobOptions options;
-  options.sheet = sheet;
+  options.paper.sheet = sheet;
   return options;
 }
 
 JobOptions with_size(Sizing by, double value) {
   JobOptions options;
-  options.size = {by, value};
+  options.paper.size = {by, value};
   return options;
 }
 
 TEST(CheckOptions, TakesTheDefaultsAndTheEndsOfAllRanges) {
   EXPECT_EQ(refusal({}), "");
-  EXPECT_EQ(refusal({.parts = 1, .runs = 1, .proxy = 0, .faces = 4}), "");
-  EXPECT_EQ(refusal({.parts = 1000000, .runs = 65535, .faces = 1000000}), "");
+  EXPECT_EQ(refusal({.model = {.faces = 4}, .parts = {.count = 1, .runs = 1, .proxy = 0}}), "");
+  EXPECT_EQ(refusal({.model = {.faces = 1000000}, .parts = {.count = 1000000, .runs = 65535}}), "");
   EXPECT_EQ(refusal(with_sheet({.width = 1, .height = 10000, .margin = 0})), "");
   EXPECT_EQ(refusal(with_size(Sizing::kHeight, 150)), "");
   EXPECT_EQ(refusal(with_size(Sizing::kSheets, 1)), "");
@@ -46,14 +46,14 @@ TEST(CheckOptions, NamesABadOption) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<JobOptions, const char*> cases[] = {
-      {{.parts = -1}, "parts"},
-      {{.runs = 0}, "runs"},
-      {{.runs = 65536}, "runs"},
-      {{.proxy = -1}, "proxy"},
-      {{.faces = 3}, "faces"},
-      {{.faces = -5}, "faces"},
-      {{.fill_holes = -1}, "fill-holes"},
-      {{.fill_holes = 201}, "fill-holes"},
+      {{.parts = {.count = -1}}, "parts"},
+      {{.parts = {.runs = 0}}, "runs"},
+      {{.parts = {.runs = 65536}}, "runs"},
+      {{.parts = {.proxy = -1}}, "proxy"},
+      {{.model = {.faces = 3}}, "faces"},
+      {{.model = {.faces = -5}}, "faces"},
+      {{.model = {.fill_holes = -1}}, "fill-holes"},
+      {{.model = {.fill_holes = 201}}, "fill-holes"},
       {with_sheet({.width = 0}), "paper"},
       {with_sheet({.width = -210}), "paper"},
       {with_sheet({.height = infinity}), "paper"},

@@ -98,7 +98,7 @@ TEST(OuterIds, OfAJobLieOnNoFace) {
   for (const auto& file : corpus_files()) {
     const std::string name = file.filename().string();
     SCOPED_TRACE(name);
-    JobOptions options{.ids = IdPlace::kOutside, .compaction = false};
+    JobOptions options{.nets = {.compaction = false}, .paper = {.ids = IdPlace::kOutside}};
     const Outcome outcome = run_file(bytes_of(file), name, options);
     expect_sound(outcome);
     int on_faces = 0;

@@ -116,7 +116,7 @@ TEST(WriteOuterNames, LeaveNoPieceOfAJobWithoutAName) {
     for (Vec3& p : solids[i].positions) p = 0.05 * p + Vec3(10 * i, 0, 70);
   }
   JobOptions options;
-  options.size = {Sizing::kScale, 1, Unit::kMillimetre};
+  options.paper.size = {Sizing::kScale, 1, Unit::kMillimetre};
   const Outcome outcome = run_file(obj_of(together("", solids)), "studs.obj", options);
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->pieces.size(), 13u);

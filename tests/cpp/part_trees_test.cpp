@@ -14,8 +14,8 @@ namespace {
 /// A job that has come to its search: a saddle and its apron as parts 0 and 1.
 JobState state_before_search() {
   JobState state;
-  state.surface = make_surface(kModelSurface, saddle_with_apron(7, 3));
-  const DualGraph& graph = state.surface->graph;
+  state.model.surface = make_surface(kModelSurface, saddle_with_apron(7, 3));
+  const DualGraph& graph = state.model.surface->graph;
   Component component;
   component.panels.resize(graph.panel_count());
   std::iota(component.panels.begin(), component.panels.end(), 0);
@@ -24,13 +24,13 @@ JobState state_before_search() {
     component.labels.push_back(graph.panel_faces(panel)[0] < 8 ? 0 : 1);
   }
   component.part_numbers = {0, 1};
-  state.components.push_back(std::move(component));
-  state.labels.resize(state.surface->mesh.faces.size());
+  state.parts.components.push_back(std::move(component));
+  state.parts.labels.resize(state.model.surface->mesh.faces.size());
   return state;
 }
 
 FoldTree any_tree(const JobState& state, const Region& region) {
-  const DualGraph graph = restrict_to(state.components[0].graph, region.panels);
+  const DualGraph graph = restrict_to(state.parts.components[0].graph, region.panels);
   return minimum_spanning_tree(graph, std::vector<double>(graph.hinges.size(), 0));
 }
 
@@ -42,11 +42,11 @@ TEST(PartTrees, KnowThePanelsOfEachPart) {
     const Region region = trees.region(state, part);
     EXPECT_EQ(region.part, part);
     EXPECT_EQ(region.cause, Cause::kPart);
-    EXPECT_EQ(region.panels, panels_of(state.components[0].labels, part));
+    EXPECT_EQ(region.panels, panels_of(state.parts.components[0].labels, part));
   }
   label_faces(state);
-  for (int face = 0; face < state.surface->mesh.face_count(); ++face) {
-    EXPECT_EQ(state.labels[face], face < 8 ? 0 : 1);
+  for (int face = 0; face < state.model.surface->mesh.face_count(); ++face) {
+    EXPECT_EQ(state.parts.labels[face], face < 8 ? 0 : 1);
   }
 }
 
@@ -88,9 +88,9 @@ TEST(PartTrees, SearchAPartFarFromFoldingAgainWhereNoneCanBeSplitInstead) {
     EXPECT_TRUE(trees.may_regroup(part));
     trees.postpone(region, {any_tree(state, region), 0, part == 0 ? 1000 : 1, {}});
   }
-  const Labels before = state.components[0].labels;
+  const Labels before = state.parts.components[0].labels;
   EXPECT_EQ(trees.regroup_next(state), std::vector{0});
-  EXPECT_EQ(state.components[0].labels, before);
+  EXPECT_EQ(state.parts.components[0].labels, before);
   EXPECT_FALSE(trees.may_regroup(0)) << "or it would be asked for again and again";
   EXPECT_TRUE(trees.regroup_next(state).empty());
 }
@@ -105,15 +105,15 @@ TEST(PartTrees, KeepTheNetOfANeighbourThatStillDoesNotFold) {
   }
   ASSERT_TRUE(trees.begin_exchange(state, queue));
   // Part 1 lost a panel to part 0, and is a net that comes to two collisions.
-  ExchangeResult result{true, state.components[0].labels, {}, {{1, 2}}, 0};
-  const DualGraph& graph = state.components[0].graph;
+  ExchangeResult result{true, state.parts.components[0].labels, {}, {{1, 2}}, 0};
+  const DualGraph& graph = state.parts.components[0].graph;
   for (const Hinge& hinge : graph.hinges) {
     const auto [a, b] = hinge.panels;
     if (result.labels[a] == result.labels[b] || b != 8) continue;
     result.labels[b] = 0;
   }
   ASSERT_EQ(fault_of_parts(graph, result.labels), "");
-  ASSERT_NE(result.labels, state.components[0].labels);
+  ASSERT_NE(result.labels, state.parts.components[0].labels);
   for (const int part : {0, 1}) {
     const DualGraph of = restrict_to(graph, panels_of(result.labels, part));
     result.changed[part] = minimum_spanning_tree(of, std::vector<double>(of.hinges.size(), 0));
@@ -121,10 +121,10 @@ TEST(PartTrees, KeepTheNetOfANeighbourThatStillDoesNotFold) {
   const auto again = trees.end_exchange(state, result);
   ASSERT_EQ(again.size(), 1u);
   EXPECT_EQ(again[0].part, 0);
-  EXPECT_EQ(state.components[0].labels, result.labels);
+  EXPECT_EQ(state.parts.components[0].labels, result.labels);
   trees.collect(state);
-  ASSERT_EQ(state.nets.size(), 1u) << "what does not fold is a net all the same";
-  EXPECT_EQ(state.nets[0].region.part, 1);
+  ASSERT_EQ(state.nets.found.size(), 1u) << "what does not fold is a net all the same";
+  EXPECT_EQ(state.nets.found[0].region.part, 1);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 /// Runs a model and asks of its nets what is asked of all: every face once, no overlaps, a motion
 /// that leads from the sheet to the model.
 void expect_outcome(const Reproduction& reproduction) {
-  const Outcome outcome =
-      run_file(bytes_of(reproduction.file), reproduction.file.filename().string(), {.runs = 50});
+  const Outcome outcome = run_file(bytes_of(reproduction.file),
+                                   reproduction.file.filename().string(), {.parts = {.runs = 50}});
   if (reproduction.outcome != "nets") {
     ASSERT_EQ(outcome.all<ErrorEvent>().size(), 1u);
     EXPECT_EQ(outcome.all<ErrorEvent>()[0].message.code, reproduction.outcome);
@@ -43,7 +43,7 @@ TEST(Repro, AThousandBodiesAreLaidOut) {
     text += "v " + x + y + " 0\nv " + far_x + y + " 0\nv " + x + y + ".9 2\nv " + x + y + " 2\n" +
             "f -4 -3 -2\nf -3 -4 -1\nf -2 -3 -1\nf -4 -2 -1\n";
   }
-  const Outcome outcome = run_file(text, "many.obj", {.runs = 10});
+  const Outcome outcome = run_file(text, "many.obj", {.parts = {.runs = 10}});
   expect_sound(outcome);
   EXPECT_EQ(outcome.result->pieces.size(), 1000u);
 }

@@ -16,7 +16,7 @@ namespace {
 /// A job at a height of 60 mm.
 Outcome unfold(const Mesh& mesh) {
   JobOptions options;
-  options.size = {Sizing::kHeight, 60};
+  options.paper.size = {Sizing::kHeight, 60};
   return run(mesh, options);
 }
 

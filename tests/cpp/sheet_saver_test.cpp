@@ -16,7 +16,7 @@ Outcome unfold(double side) {
     for (Vec3& p : cubes[i].positions) p.x() += 100 * i;
   }
   JobOptions options;
-  options.size = {Sizing::kHeight, side};
+  options.paper.size = {Sizing::kHeight, side};
   return run_file(obj_of(together("", cubes)), "cubes.obj", options);
 }
 

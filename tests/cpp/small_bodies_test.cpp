@@ -19,8 +19,8 @@ std::string cube_with_studs() {
 
 Outcome run_at(double scale, double min_piece) {
   JobOptions options;
-  options.size = {Sizing::kScale, scale, Unit::kMillimetre};
-  options.min_piece = min_piece;
+  options.paper.size = {Sizing::kScale, scale, Unit::kMillimetre};
+  options.paper.min_piece = min_piece;
   return run_file(cube_with_studs(), "studs.obj", options);
 }
 
@@ -52,7 +52,7 @@ TEST(SmallBodies, ArePrintedLaterWithoutANewSearch) {
   start.labels = before.result->labels;
   start.nets = before.result->nets;
   JobOptions options;
-  options.size = {Sizing::kScale, 1, Unit::kMillimetre};
+  options.paper.size = {Sizing::kScale, 1, Unit::kMillimetre};
   const Outcome after =
       run_job(Job({{"studs.obj", to_bytes(cube_with_studs())}}, options, std::move(start)));
   expect_sound(after);

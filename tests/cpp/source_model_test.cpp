@@ -26,7 +26,6 @@ TEST(ModelMemory, ReadsTheSameFilesOnce) {
   const auto files = files_of(obj_of(tetrahedron()));
   const auto model = memory.read(files, {});
   EXPECT_EQ(memory.read(files, {}), model);
-  EXPECT_EQ(memory.read(files, {.parts = 3, .seed = 5}), model) << "they do not concern it";
   EXPECT_NE(memory.read(files, {.up = Up::kZ}), model);
   EXPECT_NE(memory.read(files, {.up = Up::kZ}),
             memory.read(files, {.up = Up::kZ, .fill_holes = 5}));
@@ -44,7 +43,7 @@ TEST(ModelMemory, KeepsNothingOfAFileThatGivesNoModel) {
 
 TEST(Job, ComesToTheSameWithAndWithoutAMemory) {
   const auto memory = std::make_shared<JobMemory>();
-  const JobOptions options = {.parts = 2, .runs = 10};
+  const JobOptions options = {.parts = {.count = 2, .runs = 10}};
   for (const Mesh& mesh : {cube(), bumpy_sphere(100), cube()}) {
     const auto files = files_of(obj_of(mesh));
     const Outcome alone = run_job(Job(files, options));

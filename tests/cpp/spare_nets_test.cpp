@@ -15,8 +15,8 @@ namespace {
 /// A strip of eight panels, of which the first half is part 0 and the second half part 1.
 JobState state_of_strip() {
   JobState state;
-  state.surface = make_surface(kModelSurface, accordion(std::vector<double>(8, 1)));
-  const DualGraph& graph = state.surface->graph;
+  state.model.surface = make_surface(kModelSurface, accordion(std::vector<double>(8, 1)));
+  const DualGraph& graph = state.model.surface->graph;
   Component component;
   component.graph = graph;
   component.panels.resize(graph.panel_count());
@@ -25,7 +25,7 @@ JobState state_of_strip() {
     component.labels.push_back(2 * panel < graph.panel_count() ? 0 : 1);
   }
   component.part_numbers = {0, 1};
-  state.components.push_back(std::move(component));
+  state.parts.components.push_back(std::move(component));
   return state;
 }
 
@@ -35,17 +35,18 @@ FoundNet net_of(int part, std::vector<int> panels) {
 
 TEST(SpareNets, AreTakenWhereNoPanelHasANet) {
   JobState state = state_of_strip();
-  state.nets.push_back(net_of(0, {0, 1, 2}));
+  state.nets.found.push_back(net_of(0, {0, 1, 2}));
   add_spare_nets(state, {net_of(1, {2, 3, 4}), net_of(1, {3, 4, 5}), net_of(0, {5, 6})});
-  ASSERT_EQ(state.nets.size(), 2u);
-  EXPECT_EQ(state.nets[1].region.panels, (std::vector{3, 4, 5}));
+  ASSERT_EQ(state.nets.found.size(), 2u);
+  EXPECT_EQ(state.nets.found[1].region.panels, (std::vector{3, 4, 5}));
 }
 
 TEST(SpareNets, GiveTheirPanelsTheirPart) {
   JobState state = state_of_strip();
   add_spare_nets(state, {net_of(1, {0, 1}), net_of(7, {2})});
-  EXPECT_EQ(state.nets.size(), 1u) << "no component has a part 7";
-  EXPECT_EQ(std::vector(state.components[0].labels.begin(), state.components[0].labels.begin() + 3),
+  EXPECT_EQ(state.nets.found.size(), 1u) << "no component has a part 7";
+  EXPECT_EQ(std::vector(state.parts.components[0].labels.begin(),
+                        state.parts.components[0].labels.begin() + 3),
             (std::vector{1, 1, 0}));
 }
 
@@ -53,8 +54,8 @@ TEST(SpareNets, GiveTheirPanelsTheirPart) {
 /// was told must be handed over. Whether all were found.
 bool hands_over_after(int steps) {
   JobOptions options;
-  options.parts = 3;
-  options.runs = 10;
+  options.parts.count = 3;
+  options.parts.runs = 10;
   Job job({{"hills.obj", to_bytes(obj_of(bumpy_sphere(300)))}}, options);
   std::set<int> told;
   for (int i = 0; i < steps; ++i) {

@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span bytes = std::as_bytes(std::span(data, size));
   if (!is_small(bytes)) return -1;  // no seed either: the readers have programs of their own
   foldwright::Job job({{kFileName, {bytes.begin(), bytes.end()}}},
-                      {.runs = 8, .compaction = size % kEvery == 0});
+                      {.parts = {.runs = 8}, .nets = {.compaction = size % kEvery == 0}});
   foldwright::Events events;
   for (int step = 0; step < kMostSteps && !job.finished(); ++step) events = job.step(kWorkOfStep);
   if (!job.finished()) events = job.cancel();

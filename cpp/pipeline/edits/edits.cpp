@@ -127,14 +127,15 @@ void carry_pins(std::span<const int> labels, const EditedNumbers& numbers,
 EarlierNets edit_nets(JobState& state, const JobStart& start) {
   EarlierNets nets{start.labels, 0, start.nets};
   if (start.net_edits.empty()) return nets;
-  nets.part_count = static_cast<int>(panels_by_part(state.surface->graph, start.labels).size());
+  nets.part_count =
+      static_cast<int>(panels_by_part(state.model.surface->graph, start.labels).size());
   const double scale = start.paper ? start.paper->scale : 1;
   for (const NetEdit& edit : start.net_edits) {
     const int count = nets.part_count;
-    const auto merged = apply_net_edit(*state.surface, scale, edit, nets);
+    const auto merged = apply_net_edit(*state.model.surface, scale, edit, nets);
     if (!merged) continue;
     const std::span<const PartEdit> edits(&*merged, 1);
-    state.names = carry_names(state.names, edits, number_parts(count, edits));
+    state.parts.names = carry_names(state.parts.names, edits, number_parts(count, edits));
   }
   return nets;
 }
@@ -194,19 +195,19 @@ std::vector<PartName> carry_names(std::span<const PartName> names, std::span<con
 
 void start_from_earlier(JobState& state) {
   const JobStart& start = *state.start;
-  const DualGraph& graph = state.surface->graph;
+  const DualGraph& graph = state.model.surface->graph;
   const EarlierNets earlier = edit_nets(state, start);
   const std::vector<Panels> parts = panels_by_part(graph, earlier.labels);
   check_names(static_cast<int>(parts.size()), start.part_edits);
   for (const PartEdit& edit : start.part_edits) {
-    state.components.push_back(edited(graph, parts, edit));
+    state.parts.components.push_back(edited(graph, parts, edit));
   }
   const EditedNumbers numbers = number_parts(static_cast<int>(parts.size()), start.part_edits);
   for (std::size_t i = 0; i < start.part_edits.size(); ++i) {
-    state.components[i].part_numbers = numbers.of_edit[i];
+    state.parts.components[i].part_numbers = numbers.of_edit[i];
   }
-  state.names = carry_names(state.names, start.part_edits, numbers);
-  carry_pins(earlier.labels, numbers, state.pins);
+  state.parts.names = carry_names(state.parts.names, start.part_edits, numbers);
+  carry_pins(earlier.labels, numbers, state.parts.pins);
   std::vector<std::vector<SavedNet>> nets(parts.size());
   for (const SavedNet& net : earlier.nets) {
     if (net.part < 0 || net.part >= static_cast<int>(parts.size())) throw foreign_start();
@@ -214,8 +215,9 @@ void start_from_earlier(JobState& state) {
   }
   for (std::size_t part = 0; part < parts.size(); ++part) {
     if (numbers.of_part[part] == -1) continue;
-    const int index = static_cast<int>(state.components.size());
-    state.components.push_back(kept(graph, index, parts[part], numbers.of_part[part], nets[part]));
+    const int index = static_cast<int>(state.parts.components.size());
+    state.parts.components.push_back(
+        kept(graph, index, parts[part], numbers.of_part[part], nets[part]));
   }
 }
 

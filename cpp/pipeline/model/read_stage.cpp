@@ -49,16 +49,16 @@ void share_parts(std::vector<Component>& components, int wanted) {
 
 /// Fits the number of parts to what the model allows, and says so where it differs.
 void decide_parts(JobState& state) {
-  const int wanted = state.options.parts;
+  const int wanted = state.options.parts.count;
   if (wanted == 0) return;
-  const int least = static_cast<int>(state.components.size());
-  const int most = state.surface->graph.panel_count();
+  const int least = static_cast<int>(state.parts.components.size());
+  const int most = state.model.surface->graph.panel_count();
   if (wanted < least) {
     state.notices.push_back({"parts-raised", {{"what", "bodies"}, {"bodies", least}}});
   } else if (wanted > most) {
     state.notices.push_back({"parts-lowered", {{"panels", most}}});
   }
-  share_parts(state.components, std::clamp(wanted, least, most));
+  share_parts(state.parts.components, std::clamp(wanted, least, most));
 }
 
 /// Seconds that a job over so many panels takes on two cores, roughly: measured in Chromium over a
@@ -74,9 +74,9 @@ void foresee_cost(JobState& state, Events& events) {
   constexpr int kFoldableFaces = 2000;
   // The foreseen time grows with the cube of this number; here it is ten minutes.
   constexpr int kMostPanels = 100'000;
-  const int faces = state.surface->mesh.face_count();
-  const int panels = state.surface->graph.panel_count();
-  if (state.options.faces > 0 || panels <= kFoldableFaces) return;
+  const int faces = state.model.surface->mesh.face_count();
+  const int panels = state.model.surface->graph.panel_count();
+  if (state.options.model.faces > 0 || panels <= kFoldableFaces) return;
   if (panels > kMostPanels) {
     throw InputError("too-many-faces",
                      {{"faces", panels}, {"most", kMostPanels}, {"proposed", kProposedFaces}});
@@ -90,45 +90,52 @@ void foresee_cost(JobState& state, Events& events) {
 
 /// A job that locks an edge makes it what the lock says; the jobs after it keep that.
 std::vector<EdgeLock> locks_in_force(const JobState& state) {
-  if (!state.start) return state.options.locks;
-  return locks_before(state.options.locks, state.start->net_edits);
+  if (!state.start) return state.options.parts.locks;
+  return locks_before(state.options.parts.locks, state.start->net_edits);
 }
 
 /// From bytes to components: read, repair, simplify, dual graph.
 class ReadStage : public Stage {
  public:
+  explicit ReadStage(std::vector<ModelFile> files) : files_(std::move(files)) {}
+
   StageId id() const override { return StageId::kRead; }
 
   void begin(JobState& state, TaskQueue&, Events& events) override {
     check_options(state.options);
-    state.names = state.options.names;
-    state.pins = state.options.pins;
-    state.model = state.memory->model.read(state.files, state.options);
-    state.files.clear();
-    const SourceModel& model = *state.model;
+    state.parts.names = state.options.paper.names;
+    state.parts.pins = state.options.paper.pins;
+    state.model.source = state.memory->model.read(files_, state.options.model);
+    files_ = {};
+    const SourceModel& model = *state.model.source;
     state.notices = model.notices;
     // At once, for what comes may take long, or fail.
     for (const Repair& repair : model.repairs) events.push_back(message_of(repair));
-    state.surface = make_surface(kModelSurface, model.mesh, locks_in_force(state));
-    events.push_back(ModelEvent{state.surface, model.file});
+    state.model.surface = make_surface(kModelSurface, model.mesh, locks_in_force(state));
+    events.push_back(ModelEvent{state.model.surface, model.file});
     check_panels_fit(state);
     if (state.start) {
       start_from_earlier(state);
     } else {
       foresee_cost(state, events);
-      state.components = make_components(state.surface->graph);
+      state.parts.components = make_components(state.model.surface->graph);
       decide_parts(state);
-      find_equal_bodies(state.components, state.surface->mesh);
+      find_equal_bodies(state.parts.components, state.model.surface->mesh);
     }
   }
 
   double progress(const JobState& state, const Running&) const override {
-    return state.surface ? 1 : 0;
+    return state.model.surface ? 1 : 0;
   }
+
+ private:
+  std::vector<ModelFile> files_;  ///< until they are read: they may be large
 };
 
 }  // namespace
 
-std::unique_ptr<Stage> make_read_stage() { return std::make_unique<ReadStage>(); }
+std::unique_ptr<Stage> make_read_stage(std::vector<ModelFile> files) {
+  return std::make_unique<ReadStage>(std::move(files));
+}
 
 }  // namespace foldwright

@@ -81,7 +81,7 @@ void simplify_to(int wanted, SourceModel& model) {
 
 /// Whatever the model depends on. Bytes are told apart by their hash: copies would cost as much
 /// memory again.
-std::string key_of(const std::vector<ModelFile>& files, const JobOptions& options) {
+std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& options) {
   std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
                     std::to_string(options.faces) + ' ' + std::to_string(options.fill_holes) + ' ' +
                     std::to_string(options.drop_inner);
@@ -95,7 +95,7 @@ std::string key_of(const std::vector<ModelFile>& files, const JobOptions& option
 
 }  // namespace
 
-SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOptions& options) {
+SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options) {
   SourceModel model;
   const PolygonSoup soup = read_upright(files, options.up, model);
   RepairedModel repaired =
@@ -112,7 +112,7 @@ SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOpti
 }
 
 std::shared_ptr<const SourceModel> ModelMemory::read(const std::vector<ModelFile>& files,
-                                                     const JobOptions& options) {
+                                                     const ModelOptions& options) {
   std::string key = key_of(files, options);
   if (!model_ || key != key_) {
     model_.reset();

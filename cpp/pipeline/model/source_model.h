@@ -29,10 +29,9 @@ struct SourceModel {
   std::vector<Notice> notices;
 };
 
-/// Reads the model among the files, see `find_model`. Of the options, `up`, `faces`,
-/// `fill_holes` and `drop_inner` count.
+/// Reads the model among the files, see `find_model`.
 /// \throw InputError for files that give no model
-SourceModel read_source_model(const std::vector<ModelFile>& files, const JobOptions& options);
+SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options);
 
 /// The model that was read last, for jobs that change a result of the same files.
 class ModelMemory {
@@ -40,7 +39,7 @@ class ModelMemory {
   /// As `read_source_model`, which is called only if files or options are others than before.
   /// Models are told apart by the names, sizes and hashes of their files.
   std::shared_ptr<const SourceModel> read(const std::vector<ModelFile>& files,
-                                          const JobOptions& options);
+                                          const ModelOptions& options);
 
  private:
   std::string key_;

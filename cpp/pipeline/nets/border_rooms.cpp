@@ -2,12 +2,12 @@
 
 namespace foldwright {
 
-BorderRooms::BorderRooms(const JobState& state) : edges_of_(state.nets.size()) {
-  const Mesh& mesh = state.surface->mesh;
+BorderRooms::BorderRooms(const JobState& state) : edges_of_(state.nets.found.size()) {
+  const Mesh& mesh = state.model.surface->mesh;
   std::vector<int> net_of(mesh.faces.size(), -1);
-  for (std::size_t n = 0; n < state.nets.size(); ++n) {
-    const Region& region = state.nets[n].region;
-    const DualGraph& graph = state.components[region.component].graph;
+  for (std::size_t n = 0; n < state.nets.found.size(); ++n) {
+    const Region& region = state.nets.found[n].region;
+    const DualGraph& graph = state.parts.components[region.component].graph;
     for (const int panel : region.panels) {
       for (const int face : graph.panel_faces(panel)) net_of[face] = static_cast<int>(n);
     }

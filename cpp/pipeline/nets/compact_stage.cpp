@@ -44,7 +44,7 @@ class CompactStage : public Stage {
   }
 
   void complete(JobState& state, TaskQueue& queue, CompletedTask done, Events&) override {
-    const auto& [task, result] = done;
+    auto& [task, result] = done;
     if (const auto* planned = std::get_if<PlanResult>(&result)) {
       checked(state, task, *planned);
     } else {
@@ -55,10 +55,10 @@ class CompactStage : public Stage {
 
   double progress(const JobState& state, const Running& running) const override {
     if (!borders_) return 1;
-    double done = static_cast<double>(state.nets.size() - nets_.size());
+    double done = static_cast<double>(state.nets.found.size() - nets_.size());
     for (const auto& [task, status] : running) done += status.progress;
     // The round that only measures counts for nothing.
-    return std::max(0.0, (round_ + done / static_cast<double>(state.nets.size())) / kRounds);
+    return std::max(0.0, (round_ + done / static_cast<double>(state.nets.found.size())) / kRounds);
   }
 
  private:
@@ -73,19 +73,19 @@ class CompactStage : public Stage {
   /// Nets that are all kept stay as they are.
   static bool has_work(const JobState& state) {
     const auto is_kept = [](const FoundNet& net) { return net.region.kept; };
-    return state.options.compaction && !std::ranges::all_of(state.nets, is_kept);
+    return state.options.nets.compaction && !std::ranges::all_of(state.nets.found, is_kept);
   }
 
   void compacted(JobState& state, int task, CompactResult& compact) {
     const int n = nets_.at(task);
     nets_.erase(task);
-    FoundNet& net = state.nets[n];
+    FoundNet& net = state.nets.found[n];
     if (net.folds != compact.folds) {
       net.folds = std::move(compact.folds);
       if (net.motion.kind == Folding::kLine) net.motion = straight_motion(net.folds);
     }
     borders_->note(n, compact.borders);
-    state.moves += compact.moves;
+    state.nets.moves += compact.moves;
   }
 
   /// A copy that folds as its twin does takes the place of the net.
@@ -93,7 +93,7 @@ class CompactStage : public Stage {
     auto& [n, copy] = copies_.at(task);
     if (planned.motion.kind == Folding::kLine) {
       copy.motion = planned.motion;
-      state.nets[n] = std::move(copy);
+      state.nets.found[n] = std::move(copy);
     }
     copies_.erase(task);
   }
@@ -116,15 +116,15 @@ class CompactStage : public Stage {
   void copy_twins(JobState& state, TaskQueue& queue) {
     for (int n = 0; n < static_cast<int>(twins_.size()); ++n) {
       if (!twins_[n]) continue;
-      auto copy = copy_of_twin(state, state.nets[n], *twins_[n]);
+      auto copy = copy_of_twin(state, state.nets.found[n], *twins_[n]);
       if (!copy) continue;
-      if (state.nets[twins_[n]->of].motion.certified() && !copy->motion.certified()) {
+      if (state.nets.found[twins_[n]->of].motion.certified() && !copy->motion.certified()) {
         // The planner tries first whether it folds straight.
-        PlanTask task{copy->folds, state.options.clearance, 0};
-        copies_[queue.add(state.surface, model_panels(state, copy->region), std::move(task))] = {
-            n, *copy};
+        PlanTask task{copy->folds, state.options.nets.clearance, 0};
+        copies_[queue.add(state.model.surface, model_panels(state, copy->region),
+                          std::move(task))] = {n, *copy};
       } else {
-        state.nets[n] = *std::move(copy);
+        state.nets.found[n] = *std::move(copy);
       }
     }
   }
@@ -138,18 +138,18 @@ class CompactStage : public Stage {
   /// Round -1 measures what room there is.
   void begin_round(JobState& state, TaskQueue& queue) {
     step_ = Step::kImprove;
-    if (round_ == 1 && state.options.size.by != Sizing::kSheets) {
-      const std::size_t before = state.nets.size();
-      state.nets = recut_nets(state, std::move(state.nets), scale_);
-      if (state.nets.size() != before) borders_.reset();
+    if (round_ == 1 && state.options.paper.size.by != Sizing::kSheets) {
+      const std::size_t before = state.nets.found.size();
+      state.nets.found = recut_nets(state, std::move(state.nets.found), scale_);
+      if (state.nets.found.size() != before) borders_.reset();
     }
     if (!borders_) borders_.emplace(state);
     if (round_ >= 0) twins_ = find_twins(state);
-    for (int n = 0; n < static_cast<int>(state.nets.size()); ++n) queue_net(state, queue, n);
+    for (int n = 0; n < static_cast<int>(state.nets.found.size()); ++n) queue_net(state, queue, n);
   }
 
   void queue_net(const JobState& state, TaskQueue& queue, int n) {
-    const FoundNet& net = state.nets[n];
+    const FoundNet& net = state.nets.found[n];
     std::vector<int> panels = model_panels(state, net.region);
     const std::uint64_t seed =
         task_seed(state.options.seed, SeedTag::kAnnealing, static_cast<std::uint64_t>(n),
@@ -160,13 +160,13 @@ class CompactStage : public Stage {
                        twins_[n].has_value();
     CompactTask task{net.folds, craft_options(state, n), {}};
     task.annealing.work = stays ? 0 : work_for(state, panels.size());
-    task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.clearance : 0;
+    task.annealing.clearance = net.motion.kind == Folding::kLine ? state.options.nets.clearance : 0;
     task.annealing.seed = seed;
-    nets_[queue.add(state.surface, std::move(panels), std::move(task))] = n;
+    nets_[queue.add(state.model.surface, std::move(panels), std::move(task))] = n;
   }
 
   static std::int64_t work_for(const JobState& state, std::size_t panels) {
-    const auto all = static_cast<std::int64_t>(state.surface->graph.panel_count());
+    const auto all = static_cast<std::int64_t>(state.model.surface->graph.panel_count());
     const std::int64_t total = std::min(kMostWork, kWorkPerFace * all);
     return total * static_cast<std::int64_t>(panels) / all / kRounds;
   }
@@ -174,16 +174,17 @@ class CompactStage : public Stage {
   CraftOptions craft_options(const JobState& state, int n) const {
     CraftOptions craft;
     craft.scale = scale_;
-    craft.shape = state.options.flaps.shape;
-    const Component& component = state.components[state.nets[n].region.component];
+    craft.shape = state.options.paper.flaps.shape;
+    const Component& component = state.parts.components[state.nets.found[n].region.component];
     if (is_of_polygons(component.graph)) craft.weights.glue = kGlueOfPolygons;
-    if (state.options.flaps.side == FlapSide::kNone) {
+    if (state.options.paper.flaps.side == FlapSide::kNone) {
       craft.weights.flaps = 0;
     } else {
       craft.borders = borders_->seen_by(n);
     }
     // Without a wish for a size the model grows until the largest piece just fits.
-    if (state.options.size.by != Sizing::kFit) craft.room = printable(state.options.sheet);
+    if (state.options.paper.size.by != Sizing::kFit)
+      craft.room = printable(state.options.paper.sheet);
     return craft;
   }
 

@@ -17,18 +17,18 @@ bool may_have_twins(const FoundNet& net) {
 }  // namespace
 
 std::vector<std::optional<Twin>> find_twins(const JobState& state) {
-  std::vector<int> order(state.nets.size());
+  std::vector<int> order(state.nets.found.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {},
-                           [&](int n) { return state.nets[n].motion.kind != Folding::kLine; });
-  std::vector<std::optional<Twin>> twins(state.nets.size());
+  std::ranges::stable_sort(
+      order, {}, [&](int n) { return state.nets.found[n].motion.kind != Folding::kLine; });
+  std::vector<std::optional<Twin>> twins(state.nets.found.size());
   std::vector<std::pair<int, DualGraph>> models;  // nets that are like none before
   for (const int n : order) {
-    const FoundNet& net = state.nets[n];
+    const FoundNet& net = state.nets.found[n];
     if (!may_have_twins(net)) continue;
     DualGraph graph = graph_of(state, net);
     for (const auto& [model, of_model] : models) {
-      auto congruence = find_congruence(state.surface->mesh, of_model, graph);
+      auto congruence = find_congruence(state.model.surface->mesh, of_model, graph);
       if (!congruence) continue;
       twins[n] = {model, *std::move(congruence)};
       break;
@@ -39,9 +39,9 @@ std::vector<std::optional<Twin>> find_twins(const JobState& state) {
 }
 
 std::optional<FoundNet> copy_of_twin(const JobState& state, const FoundNet& net, const Twin& twin) {
-  const Component& component = state.components[net.region.component];
+  const Component& component = state.parts.components[net.region.component];
   const DualGraph graph = graph_of(state, net);
-  const FoundNet& other = state.nets[twin.of];
+  const FoundNet& other = state.nets.found[twin.of];
   std::vector<int> edges;
   for (const int fold : other.folds) {
     edges.push_back(graph.hinges[twin.congruence.hinges[fold]].edges[0]);

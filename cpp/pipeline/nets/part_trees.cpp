@@ -46,9 +46,9 @@ bool is_far_from_motion(const Candidate& candidate) {
 
 PartTrees::PartTrees(const JobState& state) {
   std::map<int, Place> places;
-  for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
+  for (int c = 0; c < static_cast<int>(state.parts.components.size()); ++c) {
     int label = 0;
-    for (const int part : state.components[c].part_numbers) places[part] = {c, label++};
+    for (const int part : state.parts.components[c].part_numbers) places[part] = {c, label++};
   }
   for (const auto& [part, place] : places) parts_.push_back(place);
 }
@@ -57,7 +57,7 @@ Region PartTrees::region(const JobState& state, int part) const {
   Region region;
   region.component = parts_[part].component;
   region.part = part;
-  region.panels = panels_of(state.components[region.component].labels, parts_[part].label);
+  region.panels = panels_of(state.parts.components[region.component].labels, parts_[part].label);
   return region;
 }
 
@@ -80,12 +80,12 @@ std::vector<int> PartTrees::regroup_next(JobState& state) {
   while (!to_regroup_.empty()) {
     const int part = *to_regroup_.begin();
     const auto [c, label] = parts_[part];
-    Component& component = state.components[c];
+    Component& component = state.parts.components[c];
     regrouped_.insert(part);
     to_regroup_.erase(part);
     const int learned_panels =
         component.learned ? component.learned->matrix.size : component.graph.panel_count();
-    auto regrouping = regroup(state.surface->mesh, component.graph, component.labels,
+    auto regrouping = regroup(state.model.surface->mesh, component.graph, component.labels,
                               {.part = label, .learned_panels = learned_panels});
     if (regrouping) {
       // What folds that stay hold together cannot be shared out as it was.
@@ -135,17 +135,17 @@ bool PartTrees::begin_exchange(const JobState& state, TaskQueue& queue) {
   if (const std::size_t panels = trees_.at(part).net.region.panels.size(); panels > kLargeRegion) {
     task.options.most_moves = kWorkOfLarge / static_cast<std::int64_t>(panels);
   }
-  task.options.clearance = for_motion ? state.options.clearance : 0;
+  task.options.clearance = for_motion ? state.options.nets.clearance : 0;
   task.options.seed =
       task_seed(state.options.seed, SeedTag::kExchange, static_cast<std::uint64_t>(part),
                 static_cast<std::uint64_t>(exchanges_[part]++));
-  queue.add(state.surface, state.components[component].panels, std::move(task));
+  queue.add(state.model.surface, state.parts.components[component].panels, std::move(task));
   exchange_ = part;
   return true;
 }
 
 PartsSoFar PartTrees::parts_so_far(const JobState& state, int component, bool for_motion) const {
-  const Component& of = state.components[component];
+  const Component& of = state.parts.components[component];
   PartsSoFar parts{of.labels, {}, {}};
   for (std::size_t label = 0; label < of.part_numbers.size(); ++label) {
     const Tree& tree = trees_.at(of.part_numbers[label]);
@@ -168,14 +168,14 @@ std::vector<PartTrees::Changed> PartTrees::end_exchange(JobState& state,
     (helps && may_regroup(part) ? to_regroup_ : uncured_).insert(part);
     return again;
   }
-  state.components[component].labels = result.labels;
+  state.parts.components[component].labels = result.labels;
   for (const auto& [label, folds] : result.changed) {
-    const int changed = state.components[component].part_numbers[label];
+    const int changed = state.parts.components[component].part_numbers[label];
     const auto left = result.shortfalls.find(label);
     if (left != result.shortfalls.end()) {
       // It is no better off than before, and goes on waiting.
       Region now = region(state, changed);
-      const DualGraph graph = restrict_to(state.components[component].graph, now.panels);
+      const DualGraph graph = restrict_to(state.parts.components[component].graph, now.panels);
       const int overlaps = count_overlaps(graph, folds);
       trees_[changed] = {{std::move(now), folds, {}}, overlaps, left->second};
       continue;
@@ -199,7 +199,7 @@ std::vector<std::pair<int, Candidate>> PartTrees::take_uncured() {
 
 void PartTrees::collect(JobState& state) {
   for (auto& [part, tree] : trees_) {
-    if (tree.overlaps == 0) state.nets.push_back(std::move(tree.net));
+    if (tree.overlaps == 0) state.nets.found.push_back(std::move(tree.net));
   }
   trees_.clear();
 }

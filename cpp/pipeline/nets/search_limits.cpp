@@ -18,7 +18,7 @@ constexpr int kAttemptsOfHeavy = 4;
 constexpr double kHeavyFaces = 3;  // per panel
 
 bool is_heavy(const JobState& state, const Region& region) {
-  const DualGraph& graph = state.components[region.component].graph;
+  const DualGraph& graph = state.parts.components[region.component].graph;
   double faces = 0;
   for (const int panel : region.panels) {
     faces += static_cast<double>(graph.panel_faces(panel).size());
@@ -47,32 +47,34 @@ constexpr std::size_t kMostToFold = 4000;
 }  // namespace
 
 bool is_component(const JobState& state, const Region& region) {
-  return region.panels.size() == state.components[region.component].panels.size();
+  return region.panels.size() == state.parts.components[region.component].panels.size();
 }
 
 bool is_exchangeable(const JobState& state, const Region& region) {
   return region.cause == Cause::kPart && !is_component(state, region) &&
-         state.options.solver == Solver::kTree;
+         state.options.nets.solver == Solver::kTree;
 }
 
 void note_limits(const JobState& state, Region& region) {
-  if (state.options.folding == FoldingMode::kOff) return;
-  const DualGraph graph = restrict_to(state.components[region.component].graph, region.panels);
-  region.meets_itself = meets_itself(make_foldable(graph, state.options.clearance));
+  if (state.options.nets.folding == FoldingMode::kOff) return;
+  const DualGraph graph =
+      restrict_to(state.parts.components[region.component].graph, region.panels);
+  region.meets_itself = meets_itself(make_foldable(graph, state.options.nets.clearance));
   region.too_large =
-      state.options.folding == FoldingMode::kPrefer && region.panels.size() > kMostToFold;
+      state.options.nets.folding == FoldingMode::kPrefer && region.panels.size() > kMostToFold;
 }
 
 bool wants_motion(const JobState& state, const Region& region) {
-  return state.options.folding != FoldingMode::kOff && !region.meets_itself && !region.too_large;
+  return state.options.nets.folding != FoldingMode::kOff && !region.meets_itself &&
+         !region.too_large;
 }
 
 bool is_too_large_to_plan(const JobState& state, const Region& region) {
-  return state.options.folding == FoldingMode::kPrefer && region.panels.size() > kLargeRegion;
+  return state.options.nets.folding == FoldingMode::kPrefer && region.panels.size() > kLargeRegion;
 }
 
 int attempts_for(const JobState& state, const Region& region, bool has_net) {
-  if (state.options.solver == Solver::kGenetic) return kEvolutions;
+  if (state.options.nets.solver == Solver::kGenetic) return kEvolutions;
   if (has_net && is_too_large_to_plan(state, region)) return kAttemptsOfLarge;
   if (!is_component(state, region) || has_net) return kAttemptsOfPart;
   return attempts_at_last(state, region);
@@ -84,7 +86,7 @@ int attempts_at_last(const JobState& state, const Region& region) {
 
 bool deserves_last_attempts(const JobState& state, const Region& region,
                             const Candidate& candidate) {
-  return state.options.solver == Solver::kTree && !candidate.is_net() &&
+  return state.options.nets.solver == Solver::kTree && !candidate.is_net() &&
          !is_far_from_net(region, candidate) && region.panels.size() <= kLargeRegion;
 }
 
@@ -94,7 +96,7 @@ std::int64_t patience_for(const Region& region) {
 }
 
 bool is_hopeless(const JobState& state, const Region& region, const Candidate& best) {
-  return state.options.solver == Solver::kTree && !is_component(state, region) &&
+  return state.options.nets.solver == Solver::kTree && !is_component(state, region) &&
          is_far_from_net(region, best);
 }
 

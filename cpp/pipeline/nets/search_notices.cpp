@@ -18,7 +18,7 @@ struct Outcome {
 
 void add_search_notices(JobState& state) {
   std::map<int, Outcome> outcomes;
-  for (const FoundNet& net : state.nets) {
+  for (const FoundNet& net : state.nets.found) {
     Outcome& outcome = outcomes[net.region.part];
     // Those of an earlier result may have been cut for the sheet, which is told elsewhere, or by a
     // person, who knows.

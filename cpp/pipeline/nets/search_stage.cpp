@@ -65,7 +65,7 @@ class SearchStage : public Stage {
     std::vector<Region> regions;
     for (int part = 0; part < trees_->part_count(); ++part) {
       Region region = trees_->region(state, part);
-      Component& component = state.components[region.component];
+      Component& component = state.parts.components[region.component];
       if (component.equal_to) continue;
       panels_to_search_ += static_cast<int>(region.panels.size());
       if (component.kept.empty()) {
@@ -104,14 +104,14 @@ class SearchStage : public Stage {
 
   void end(JobState& state, Events& events) override {
     salvage(state);
-    if (state.options.parts == 0 && !state.start) {
+    if (state.options.parts.count == 0 && !state.start) {
       // Nobody asked for a number: what did not hold together was no part.
-      const int parts = state.parts;
+      const int parts = state.parts.count;
       make_parts_of_pieces(state);
       label_faces(state);
-      labels_changed_ |= state.parts != parts;
+      labels_changed_ |= state.parts.count != parts;
     }
-    if (labels_changed_) events.push_back(SegmentedEvent{state.labels});
+    if (labels_changed_) events.push_back(SegmentedEvent{state.parts.labels});
     add_search_notices(state);
   }
 
@@ -158,8 +158,8 @@ class SearchStage : public Stage {
     if (!searches_.empty() || std::exchange(carried_equal_, true)) return;
     trees_->collect(state);
     labels_changed_ |= follow_equal_bodies(state);
-    for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
-      if (!state.components[c].equal_to) continue;
+    for (int c = 0; c < static_cast<int>(state.parts.components.size()); ++c) {
+      if (!state.parts.components[c].equal_to) continue;
       std::vector<FoundNet> nets = nets_of_equal(state, c);
       if (nets.empty()) search_after_all(state, queue, c);
       for (FoundNet& net : nets) carry(state, queue, std::move(net), events);
@@ -196,7 +196,7 @@ class SearchStage : public Stage {
 
   /// The parts of a body in which the nets of its equal overlap by a hair.
   void search_after_all(const JobState& state, TaskQueue& queue, int c) {
-    const Component& component = state.components[c];
+    const Component& component = state.parts.components[c];
     for (int label = 0; label < static_cast<int>(component.part_numbers.size()); ++label) {
       const int part = component.part_numbers[label];
       // A part that only its equal came to is none that could exchange panels.
@@ -234,11 +234,11 @@ class SearchStage : public Stage {
   void queue_attempt(const JobState& state, TaskQueue& queue, Search search) {
     const std::uint64_t seed = task_seed(state.options.seed, SeedTag::kSearch, search.key,
                                          static_cast<std::uint64_t>(search.attempt));
-    if (state.options.solver == Solver::kGenetic) {
+    if (state.options.nets.solver == Solver::kGenetic) {
       queue_work(state, queue, std::move(search), GeneticTask{{.seed = seed}});
       return;
     }
-    const double clearance = wants_motion(state, search.region) ? state.options.clearance : 0;
+    const double clearance = wants_motion(state, search.region) ? state.options.nets.clearance : 0;
     // A large region has come too far to begin again.
     const bool is_large = search.region.panels.size() > kLargeRegion;
     const auto& temperatures = is_large ? kTemperaturesOfLarge : kTemperatures;
@@ -254,7 +254,7 @@ class SearchStage : public Stage {
 
   void queue_work(const JobState& state, TaskQueue& queue, Search search, Work work) {
     std::vector<int> panels = model_panels(state, search.region);
-    const int id = queue.add(state.surface, std::move(panels), std::move(work));
+    const int id = queue.add(state.model.surface, std::move(panels), std::move(work));
     searches_.emplace(id, std::move(search));
   }
 
@@ -267,20 +267,21 @@ class SearchStage : public Stage {
   void searched(JobState& state, TaskQueue& queue, int task, const SearchResult& result,
                 Events& events) {
     Search search = take_search(task);
-    state.moves += result.moves;
-    state.generations += result.generations;
+    state.nets.moves += result.moves;
+    state.nets.generations += result.generations;
     Candidate& best = search.best;
     if (best.overlaps == -1 ||
         std::pair(result.overlaps, result.shortfall) < std::pair(best.overlaps, best.shortfall)) {
       best = {result.folds, result.overlaps, result.shortfall, {}};
       if (result.folds_straight) best.motion = straight_motion(best.folds);
     }
-    const bool is_enough = best.motion.certified() || state.options.folding == FoldingMode::kOff;
+    const bool is_enough =
+        best.motion.certified() || state.options.nets.folding == FoldingMode::kOff;
     if (best.is_net() && is_enough) {
       accept(state, std::move(search), events);
     } else if (best.is_net() && !wants_motion(state, search.region)) {
       accept_or_split(state, queue, std::move(search), events);
-    } else if (best.is_net() && state.options.solver == Solver::kGenetic) {
+    } else if (best.is_net() && state.options.nets.solver == Solver::kGenetic) {
       plan(state, queue, std::move(search));
     } else if (++search.attempt < attempts_of(state, search) &&
                !is_hopeless(state, search.region, best)) {
@@ -302,7 +303,7 @@ class SearchStage : public Stage {
   /// Looks for a motion of a net that does not fold straight.
   void plan(const JobState& state, TaskQueue& queue, Search search) {
     const std::uint64_t seed = task_seed(state.options.seed, SeedTag::kPlanning, search.key, 0);
-    PlanTask task{search.best.folds, state.options.clearance, seed};
+    PlanTask task{search.best.folds, state.options.nets.clearance, seed};
     queue_work(state, queue, std::move(search), std::move(task));
   }
 
@@ -342,7 +343,7 @@ class SearchStage : public Stage {
   }
 
   void exchanged(JobState& state, TaskQueue& queue, const ExchangeResult& result) {
-    state.moves += result.moves;
+    state.nets.moves += result.moves;
     for (PartTrees::Changed& changed : trees_->end_exchange(state, result)) {
       labels_changed_ = true;
       start(state, queue, trees_->region(state, changed.part), std::move(changed.folds));
@@ -370,11 +371,11 @@ class SearchStage : public Stage {
   /// the region.
   void accept_or_split(JobState& state, TaskQueue& queue, Search search, Events& events) {
     const bool is_net = search.best.is_net();
-    const DualGraph& whole = state.components[search.region.component].graph;
-    const bool must_fold = state.options.folding == FoldingMode::kRequire;
+    const DualGraph& whole = state.parts.components[search.region.component].graph;
+    const bool must_fold = state.options.nets.folding == FoldingMode::kRequire;
     if (is_net && (!must_fold || is_held_together(restrict_to(whole, search.region.panels)))) {
       accept(state, std::move(search), events);
-    } else if (state.options.solver == Solver::kTree && search.best.overlaps > 0) {
+    } else if (state.options.nets.solver == Solver::kTree && search.best.overlaps > 0) {
       cut_between_overlaps(state, queue, std::move(search));
     } else {
       split(state, queue, std::move(search.region), is_net ? Cause::kNoMotion : Cause::kNoNet);
@@ -384,7 +385,7 @@ class SearchStage : public Stage {
   /// Cuts the best tree where that parts most overlaps, so that few pieces come of it: what was
   /// learned tells nothing of the one place that is at fault.
   void cut_between_overlaps(const JobState& state, TaskQueue& queue, Search search) {
-    const Component& component = state.components[search.region.component];
+    const Component& component = state.parts.components[search.region.component];
     const DualGraph graph = restrict_to(component.graph, search.region.panels);
     const int fold = best_overlap_cut(graph, search.best.folds);
     const FoundNet whole{std::move(search.region), std::move(search.best.folds), {}};
@@ -410,7 +411,7 @@ class SearchStage : public Stage {
     if (is_part) {
       trees_->accept(part, std::move(net));
     } else {
-      state.nets.push_back(std::move(net));
+      state.nets.found.push_back(std::move(net));
     }
   }
 
@@ -418,19 +419,19 @@ class SearchStage : public Stage {
   void split(JobState& state, TaskQueue& queue, Region region, Cause cause) {
     region.cause = cause;
     const int component = region.component;
-    if (!state.components[component].learned) {
+    if (!state.parts.components[component].learned) {
       const bool asked = std::any_of(learnings_.begin(), learnings_.end(),
                                      [&](const Learning& l) { return l.component() == component; });
       if (!asked) learnings_.emplace_back(state, component, queue);
       waiting_.push_back(std::move(region));
       return;
     }
-    const Component& of = state.components[component];
+    const Component& of = state.parts.components[component];
     std::vector<int> rows;
     for (const int panel : region.panels) rows.push_back(of.learned->rows[panel]);
     const DualGraph graph = restrict_to(of.graph, region.panels);
     const Labels halves = halve_between_locks(
-        graph, split_in_two(state.surface->mesh, graph, {of.learned->matrix, rows}));
+        graph, split_in_two(state.model.surface->mesh, graph, {of.learned->matrix, rows}));
     for (const int half : {0, 1}) {
       Region share{component, region.part, cause, {}};
       for (std::size_t i = 0; i < region.panels.size(); ++i) {
@@ -445,7 +446,7 @@ class SearchStage : public Stage {
                                        [&](const Learning& l) { return l.owns(task); });
     if (!learning->complete(counts)) return;
     const int component = learning->component();
-    state.components[component].learned = learning->finish();
+    state.parts.components[component].learned = learning->finish();
     std::vector<Region> waiting = std::move(waiting_);
     waiting_.clear();
     for (Region& region : waiting) {

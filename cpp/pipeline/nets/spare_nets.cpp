@@ -10,10 +10,10 @@ namespace {
 class Covered {
  public:
   explicit Covered(const JobState& state) {
-    for (const Component& component : state.components) {
+    for (const Component& component : state.parts.components) {
       panels_.emplace_back(component.graph.panel_count(), false);
     }
-    for (const FoundNet& net : state.nets) add(net.region);
+    for (const FoundNet& net : state.nets.found) add(net.region);
   }
 
   void add(const Region& region) {
@@ -45,9 +45,9 @@ void add_spare_nets(JobState& state, std::vector<FoundNet> nets) {
   Covered covered(state);
   for (FoundNet& net : nets) {
     const Region& region = net.region;
-    if (covered.meets(region) || !label(state.components[region.component], region)) continue;
+    if (covered.meets(region) || !label(state.parts.components[region.component], region)) continue;
     covered.add(region);
-    state.nets.push_back(std::move(net));
+    state.nets.found.push_back(std::move(net));
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 enum class Why { kOff, kCancelled, kKept, kHuge, kLarge };
 
 Why why_unchecked(const JobState& state, const Region& region) {
-  if (state.options.folding == FoldingMode::kOff) return Why::kOff;
+  if (state.options.nets.folding == FoldingMode::kOff) return Why::kOff;
   if (state.in_a_hurry) return Why::kCancelled;
   if (region.kept) return Why::kKept;
   return region.too_large ? Why::kHuge : Why::kLarge;

@@ -19,31 +19,31 @@ Labels label_learned(const JobState& state, const Component& component) {
   const JobOptions& options = state.options;
   // An edit has chosen the numbers of its parts: what is split is not a body but a part.
   const bool is_part = !component.part_numbers.empty();
-  if (is_part && options.segmenter == Segmenter::kShape) {
+  if (is_part && options.parts.segmenter == Segmenter::kShape) {
     return subdivide(mesh, graph, learned.matrix, {.parts = component.parts, .seed = options.seed});
   }
   return segment(mesh, graph, learned.matrix,
-                 {.segmenter = options.segmenter,
+                 {.segmenter = options.parts.segmenter,
                   .parts = component.parts,
                   .whole_first = component.whole_first,
                   .seed = options.seed,
-                  .largest_area = largest_part_area(state.surface->mesh, options)});
+                  .largest_area = largest_part_area(state.model.surface->mesh, options.paper)});
 }
 
 /// Makes parts of one component [paper, 4.2]. Returns the labels of the surface that was learned
 /// on, one per row of the matrix; empty when nothing was learned and the component stays whole.
 Labels label_component(const JobState& state, Component& component) {
   if (component.equal_to) {
-    carry_labels_of_equal(state.components, component);
+    carry_labels_of_equal(state.parts.components, component);
     return {};
   }
   component.labels.assign(component.graph.panel_count(), 0);
   if (!component.learned) return {};
   const Learned& learned = *component.learned;
   Labels on_learned = label_learned(state, component);
-  const Mesh& mesh = state.surface->mesh;
+  const Mesh& mesh = state.model.surface->mesh;
   Labels labels = carry_labels(mesh, component.graph, {learned.matrix, learned.rows}, on_learned);
-  const Segmenter segmenter = state.options.segmenter;
+  const Segmenter segmenter = state.options.parts.segmenter;
   const int learned_panels = learned.matrix.size;
   labels = smooth_labels(mesh, component.graph, std::move(labels), {segmenter, learned_panels});
   if (segmenter == Segmenter::kShape) {
@@ -65,18 +65,18 @@ class ClusterStage : public Stage {
   StageId id() const override { return StageId::kCluster; }
 
   void begin(JobState& state, TaskQueue&, Events& events) override {
-    state.labels.assign(state.surface->mesh.faces.size(), -1);
-    for (Component& component : state.components) {
-      show_matrix(component, label_component(state, component), state.options.runs, events);
+    state.parts.labels.assign(state.model.surface->mesh.faces.size(), -1);
+    for (Component& component : state.parts.components) {
+      show_matrix(component, label_component(state, component), state.options.parts.runs, events);
       const int parts = part_count(component.labels);
       if (parts < static_cast<int>(component.part_numbers.size())) throw held_together(component);
       for (int part = 0; component.part_numbers.size() < static_cast<std::size_t>(parts); ++part) {
-        component.part_numbers.push_back(state.parts + part);
+        component.part_numbers.push_back(state.parts.count + part);
       }
-      state.parts += parts;
+      state.parts.count += parts;
     }
     label_faces(state);
-    events.push_back(SegmentedEvent{state.labels});
+    events.push_back(SegmentedEvent{state.parts.labels});
     done_ = true;
   }
 

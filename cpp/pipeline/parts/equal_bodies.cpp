@@ -32,26 +32,26 @@ void carry_labels_of_equal(const std::vector<Component>& components, Component& 
 
 bool follow_equal_bodies(JobState& state) {
   bool has_changed = false;
-  for (Component& component : state.components) {
+  for (Component& component : state.parts.components) {
     if (!component.equal_to) continue;
     const Labels before = component.labels;
-    carry_labels_of_equal(state.components, component);
+    carry_labels_of_equal(state.parts.components, component);
     has_changed |= component.labels != before;
     while (static_cast<int>(component.part_numbers.size()) < part_count(component.labels)) {
-      component.part_numbers.push_back(state.parts++);
+      component.part_numbers.push_back(state.parts.count++);
     }
   }
   return has_changed;
 }
 
 std::vector<FoundNet> nets_of_equal(const JobState& state, int index) {
-  const Component& component = state.components[index];
+  const Component& component = state.parts.components[index];
   const auto& [like, congruence] = *component.equal_to;
-  const Component& other = state.components[like];
+  const Component& other = state.parts.components[like];
   const std::map<int, int> hinge_of = hinges_by_edge(other.graph);
   std::vector<FoundNet> nets;
   std::size_t panels = 0;
-  for (const FoundNet& net : state.nets) {
+  for (const FoundNet& net : state.nets.found) {
     if (net.region.component != like) continue;
     Region region = net.region;
     region.component = index;
@@ -75,9 +75,9 @@ std::vector<FoundNet> nets_of_equal(const JobState& state, int index) {
 
 void add_nets_of_equal(JobState& state) {
   follow_equal_bodies(state);
-  for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
-    if (!state.components[c].equal_to) continue;
-    std::ranges::move(nets_of_equal(state, c), std::back_inserter(state.nets));
+  for (int c = 0; c < static_cast<int>(state.parts.components.size()); ++c) {
+    if (!state.parts.components[c].equal_to) continue;
+    std::ranges::move(nets_of_equal(state, c), std::back_inserter(state.nets.found));
   }
 }
 

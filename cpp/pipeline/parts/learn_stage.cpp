@@ -14,8 +14,9 @@ bool needs_learning(const JobState& state, const Component& component) {
   if (component.graph.panel_count() == 1 || component.equal_to) return false;
   if (component.parts > 0) return component.parts > 1;
   const std::vector<double>& areas = component.graph.areas;
-  return !component.whole_first || std::accumulate(areas.begin(), areas.end(), 0.0) >
-                                       largest_part_area(state.surface->mesh, state.options);
+  return !component.whole_first ||
+         std::accumulate(areas.begin(), areas.end(), 0.0) >
+             largest_part_area(state.model.surface->mesh, state.options.paper);
 }
 
 /// Learns the foldability of every component that will be clustered [paper, 4.1].
@@ -24,10 +25,11 @@ class LearnStage : public Stage {
   StageId id() const override { return StageId::kLearn; }
 
   void begin(JobState& state, TaskQueue& queue, Events&) override {
-    for (int c = 0; c < static_cast<int>(state.components.size()); ++c) {
-      if (needs_learning(state, state.components[c])) learnings_.emplace_back(state, c, queue);
+    for (int c = 0; c < static_cast<int>(state.parts.components.size()); ++c) {
+      if (needs_learning(state, state.parts.components[c]))
+        learnings_.emplace_back(state, c, queue);
     }
-    runs_wanted_ = state.options.runs * static_cast<int>(learnings_.size());
+    runs_wanted_ = state.options.parts.runs * static_cast<int>(learnings_.size());
   }
 
   void complete(JobState& state, TaskQueue&, CompletedTask done, Events& events) override {
@@ -41,7 +43,7 @@ class LearnStage : public Stage {
       event.matrix = make_matrix_picture(to_matrix(learning->counts()));
     }
     events.push_back(std::move(event));
-    if (all) state.components[learning->component()].learned = learning->finish();
+    if (all) state.parts.components[learning->component()].learned = learning->finish();
   }
 
   void watch(int, const Running& running, Events& events) override {

@@ -44,10 +44,10 @@ std::vector<int> rows_on_proxy(const Mesh& mesh, const DualGraph& graph, const M
 
 /// The surface to learn on, its panels, and the row of each panel of the component.
 Learned choose_surface(const JobState& state, int index) {
-  const Component& component = state.components[index];
-  const int limit = state.options.proxy;
+  const Component& component = state.parts.components[index];
+  const int limit = state.options.parts.proxy;
   if (limit > 0 && face_count(component.graph) > limit) {
-    const Mesh& mesh = state.surface->mesh;
+    const Mesh& mesh = state.model.surface->mesh;
     const Mesh own = submesh(mesh, component.graph.faces);
     auto proxy = make_surface(kFirstProxySurface + index, simplify(own, {.target_faces = limit}));
     // A proxy that fell apart, or cannot tell the wanted parts apart, would mislead.
@@ -57,7 +57,7 @@ Learned choose_surface(const JobState& state, int index) {
       return {std::move(proxy), std::move(panels), {}, std::move(rows)};
     }
   }
-  return {state.surface, component.panels, {}, all_panels(component.graph)};
+  return {state.model.surface, component.panels, {}, all_panels(component.graph)};
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ Learned choose_surface(const JobState& state, int index) {
 Learning::Learning(const JobState& state, int component, TaskQueue& queue)
     : component_(component), learned_(choose_surface(state, component)) {
   LearnOptions options;
-  options.heuristic = state.options.heuristic;
-  options.runs = state.options.runs;
+  options.heuristic = state.options.parts.heuristic;
+  options.runs = state.options.parts.runs;
   options.seed =
       task_seed(state.options.seed, SeedTag::kComponent, static_cast<std::uint64_t>(component), 0);
   for (int run = 0; run < options.runs; run += kRunsPerTask) {

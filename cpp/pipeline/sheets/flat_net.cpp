@@ -5,11 +5,11 @@
 namespace foldwright {
 
 DualGraph graph_of(const JobState& state, const FoundNet& found) {
-  return restrict_to(state.components[found.region.component].graph, found.region.panels);
+  return restrict_to(state.parts.components[found.region.component].graph, found.region.panels);
 }
 
 Net flatten(const JobState& state, const FoundNet& found, double scale) {
-  Net net = make_net(state.surface->mesh, graph_of(state, found), found.folds);
+  Net net = make_net(state.model.surface->mesh, graph_of(state, found), found.folds);
   for (Vec2& p : net.vertices) p *= scale;
   return net;
 }

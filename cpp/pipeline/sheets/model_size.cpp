@@ -62,11 +62,11 @@ double fixed_scale(const Mesh& mesh, const SizeOptions& size) {
   return size.value * millimetres(model_unit(mesh, size.unit).unit);
 }
 
-double largest_part_area(const Mesh& mesh, const JobOptions& options) {
-  const Sizing by = options.size.by;
+double largest_part_area(const Mesh& mesh, const PaperOptions& paper) {
+  const Sizing by = paper.size.by;
   if (by == Sizing::kFit || by == Sizing::kSheets) return std::numeric_limits<double>::infinity();
-  const double scale = fixed_scale(mesh, options.size);
-  const Extent room = printable(options.sheet);
+  const double scale = fixed_scale(mesh, paper.size);
+  const Extent room = printable(paper.sheet);
   return kSheetShare * room.width * room.height / (scale * scale);
 }
 

@@ -29,6 +29,6 @@ double fixed_scale(const Mesh& mesh, const SizeOptions& size);
 /// Area, in square model units, above which a part is unlikely to go on a sheet in one piece;
 /// infinite where the size follows from the nets (`kFit`, `kSheets`).
 /// \throw InputError as `fixed_scale`, or if the margins leave nothing of the sheet
-double largest_part_area(const Mesh& mesh, const JobOptions& options);
+double largest_part_area(const Mesh& mesh, const PaperOptions& paper);
 
 }  // namespace foldwright

@@ -80,15 +80,15 @@ void PaperDrafter::begin_pieces() {
   for (const FoundNet& net : draft_.nets) draft_.flat.push_back(flatten(state_, net, scale_));
   sort_for_gluing(draft_);
   for (const FoundNet& net : draft_.nets) parts_.push_back(net.region.part);
-  draft_.names = piece_names(parts_, state_.names);
+  draft_.names = piece_names(parts_, state_.parts.names);
   phase_ = Phase::kFlaps;
 }
 
 /// Flaps for nets that fit the sheet, so that they fit it still; false if some do not yet.
 bool PaperDrafter::place_flaps_on_sheets() {
-  const FlapOptions& options = state_.options.flaps;
-  const Extent room = printable(state_.options.sheet);
-  draft_.flaps = place_flaps(state_.surface->mesh, draft_.flat, options, keep_off_);
+  const FlapOptions& options = state_.options.paper.flaps;
+  const Extent room = printable(state_.options.paper.sheet);
+  draft_.flaps = place_flaps(state_.model.surface->mesh, draft_.flat, options, keep_off_);
   keep_off_.resize(draft_.flat.size());
   held_.resize(draft_.flat.size());
   bool fits_all = true;
@@ -111,7 +111,7 @@ void PaperDrafter::begin_packing() {
     draft_.prints.back().fitting_turn = held_[i];
   }
   pins_.resize(draft_.nets.size());
-  for (const PinnedPiece& pinned : state_.pins) {
+  for (const PinnedPiece& pinned : state_.parts.pins) {
     const auto is_it = [&](std::size_t i) {
       return parts_[i] == pinned.part && draft_.flat[i].faces[0] == pinned.face;
     };
@@ -128,9 +128,9 @@ void PaperDrafter::begin_packing() {
 }
 
 SheetTask PaperDrafter::sheet_task(std::span<const std::optional<Pin>> pins) const {
-  SheetTask task = {draft_.prints, state_.options.sheet, parts_, pins, draft_.names, effort_};
-  task.pin_play = state_.options.flaps.shape.height;
-  if (state_.options.ids == IdPlace::kOutside) {
+  SheetTask task = {draft_.prints, state_.options.paper.sheet, parts_, pins, draft_.names, effort_};
+  task.pin_play = state_.options.paper.flaps.shape.height;
+  if (state_.options.paper.ids == IdPlace::kOutside) {
     task.options.gap = std::max(task.options.gap, kGapForIds);
   }
   return task;

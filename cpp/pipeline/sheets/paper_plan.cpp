@@ -25,7 +25,7 @@ constexpr int kTrialEffort = 6;
 
 /// Mesh edges that are to be joined by strips or tape, ascending: those that miss a flap, and all
 /// if strips are to do without any flaps.
-std::vector<int> bare_edges(const JobOptions& options, const FlapPlan& flaps,
+std::vector<int> bare_edges(const PaperOptions& options, const FlapPlan& flaps,
                             std::span<const Seam> seams) {
   std::set<int> bare;
   for (const MissedFlap& miss : flaps.missed) bare.insert(miss.mesh_edge);
@@ -41,7 +41,7 @@ std::vector<int> bare_edges(const JobOptions& options, const FlapPlan& flaps,
 
 PaperPlanner::PaperPlanner(const JobState& state, bool in_a_hurry)
     : state_(state), in_a_hurry_(in_a_hurry) {
-  if (state.options.size.by == Sizing::kFit) scale_.emplace(state);
+  if (state.options.paper.size.by == Sizing::kFit) scale_.emplace(state);
 }
 
 bool PaperPlanner::step() {
@@ -49,12 +49,12 @@ bool PaperPlanner::step() {
   switch (phase_) {
     case Phase::kScale:
       if (const EarlierPaper* earlier = earlier_paper(state_);
-          earlier && state_.options.size.by == Sizing::kSheets) {
+          earlier && state_.options.paper.size.by == Sizing::kSheets) {
         draft_at(earlier->scale, effort);
-      } else if (state_.options.size.by == Sizing::kSheets) {
+      } else if (state_.options.paper.size.by == Sizing::kSheets) {
         begin_search();
       } else if (!scale_) {
-        draft_at(fixed_scale(state_.surface->mesh, state_.options.size), effort);
+        draft_at(fixed_scale(state_.model.surface->mesh, state_.options.paper.size), effort);
       } else if (scale_->step()) {
         draft_at(scale_->scale(), effort);
       }
@@ -103,16 +103,16 @@ bool PaperPlanner::step() {
 
 /// Whether the size of the earlier result does for the number of sheets no longer.
 bool PaperPlanner::takes_too_many_sheets() const {
-  return range_.high == 0 && state_.options.size.by == Sizing::kSheets &&
-         plan_.draft.sheets.sheet_count > static_cast<int>(state_.options.size.value);
+  return range_.high == 0 && state_.options.paper.size.by == Sizing::kSheets &&
+         plan_.draft.sheets.sheet_count > static_cast<int>(state_.options.paper.size.value);
 }
 
 void PaperPlanner::begin_search() {
-  const Extent room = printable(state_.options.sheet);
+  const Extent room = printable(state_.options.paper.sheet);
   double area = 0;
-  for (const FoundNet& found : state_.nets)
+  for (const FoundNet& found : state_.nets.found)
     area += footprint_of(flatten(state_, found, 1)).face_area;
-  range_.high = std::sqrt(state_.options.size.value * room.width * room.height / area);
+  range_.high = std::sqrt(state_.options.paper.size.value * room.width * room.height / area);
   drafter_.emplace(state_, range_.high / 2, in_a_hurry_ ? 1 : kTrialEffort);
   phase_ = Phase::kSearch;
 }
@@ -124,7 +124,7 @@ void PaperPlanner::search() {
   if (step == FitStep::kRunning) return;
   // A face that fits no sheet at this scale counts as too large as well.
   const bool fits = step == FitStep::kDone && drafter_->take().sheets.sheet_count <=
-                                                  static_cast<int>(state_.options.size.value);
+                                                  static_cast<int>(state_.options.paper.size.value);
   if (range_.low == 0 && !fits && range_.trials == kMostHalvings) {
     if (step == FitStep::kDoesNotFit) throw drafter_->misfit();
     throw InputError("too-few-sheets");
@@ -151,7 +151,7 @@ void PaperPlanner::draft_at(double scale, int effort) {
 
 void PaperPlanner::lay_strips() {
   const PaperDraft& draft = plan_.draft;
-  const JobOptions& options = state_.options;
+  const PaperOptions& options = state_.options.paper;
   const std::vector<Seam> seams = find_seams(draft.flat);
   const std::vector<int> bare = bare_edges(options, draft.flaps, seams);
   std::set<int> open(bare.begin(), bare.end());
@@ -167,7 +167,7 @@ void PaperPlanner::lay_strips() {
       Strip& strip = strips.emplace_back();
       strip.mesh_edge = seams[i].mesh_edge();
       strip.id = ids[i].name;
-      strip.angle = fold_angle(state_.surface->mesh, seams[i].mesh_edge());
+      strip.angle = fold_angle(state_.model.surface->mesh, seams[i].mesh_edge());
     }
     plan_.strips = place_strips(
         {draft.prints, &draft.sheets, options.sheet, options.strips == GlueStrips::kAll}, shapes,
@@ -187,8 +187,8 @@ void PaperPlanner::lay_strips() {
 
 void PaperPlanner::begin_labels() {
   const PaperDraft& draft = plan_.draft;
-  joints_ = find_joint_seams(state_.surface->mesh, draft.flat);
-  const Surface& surface = *state_.surface;
+  joints_ = find_joint_seams(state_.model.surface->mesh, draft.flat);
+  const Surface& surface = *state_.model.surface;
   std::vector<Contact> contacts = find_contacts(surface.mesh, surface.graph);
   // What is not printed stands nowhere.
   std::erase_if(contacts, [&](const Contact& contact) {
@@ -199,9 +199,9 @@ void PaperPlanner::begin_labels() {
   for (const Net& net : draft.flat) {
     standings_.push_back(standings_on(surface.mesh, net, contacts));
   }
-  obstacles_.emplace(draft.prints, draft.sheets, state_.options.sheet, plan_.strips);
-  labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.ids, tape_,
-                            joints_, &state_.memory->texts, &*obstacles_, standings_});
+  obstacles_.emplace(draft.prints, draft.sheets, state_.options.paper.sheet, plan_.strips);
+  labels_.emplace(LabelTask{draft.flat, draft.flaps.flaps, draft.names, state_.options.paper.ids,
+                            tape_, joints_, &state_.memory->texts, &*obstacles_, standings_});
   phase_ = Phase::kLabels;
   progress_ = 0.8;
 }
@@ -214,8 +214,8 @@ PaperPlan plan_paper(const JobState& state, bool in_a_hurry) {
 }
 
 FinishedScale::FinishedScale(const JobState& state) : state_(state) {
-  if (state.options.size.by == Sizing::kFit) finder_.emplace(state);
-  if (state.options.size.by == Sizing::kSheets) planner_.emplace(state, true);
+  if (state.options.paper.size.by == Sizing::kFit) finder_.emplace(state);
+  if (state.options.paper.size.by == Sizing::kSheets) planner_.emplace(state, true);
 }
 
 bool FinishedScale::step() {
@@ -226,7 +226,7 @@ bool FinishedScale::step() {
     if (!planner_->step()) return false;
     scale_ = planner_->take().draft.sheets.scale;
   } else {
-    scale_ = fixed_scale(state_.surface->mesh, state_.options.size);
+    scale_ = fixed_scale(state_.model.surface->mesh, state_.options.paper.size);
   }
   return true;
 }

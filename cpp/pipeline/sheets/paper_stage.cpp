@@ -18,7 +18,7 @@ namespace {
 
 /// Per face of the file as read the part of the first triangle that came from it.
 std::vector<int> source_segmentation(const JobState& state) {
-  const SourceModel& model = *state.model;
+  const SourceModel& model = *state.model.source;
   std::vector<int> segmentation(model.file_face_count, -1);
   for (std::size_t face = 0; face < model.source_faces.size(); ++face) {
     if (model.source_faces[face] == -1) continue;  // fills a hole
@@ -27,7 +27,7 @@ std::vector<int> source_segmentation(const JobState& state) {
     if (part != -1) continue;
     const int standin =
         model.face_standins.empty() ? static_cast<int>(face) : model.face_standins[face];
-    part = state.labels[standin];
+    part = state.parts.labels[standin];
   }
   return segmentation;
 }
@@ -76,7 +76,7 @@ std::vector<double> neck_lengths(const DualGraph& graph, const FoldTree& folds, 
 Piece make_piece(const JobState& state, const Mesh& mesh, double scale, const FoundNet& found,
                  Net net) {
   const DualGraph graph =
-      restrict_to(state.components[found.region.component].graph, found.region.panels);
+      restrict_to(state.parts.components[found.region.component].graph, found.region.panels);
   Piece piece{.part = found.region.part, .cause = found.region.cause, .net = std::move(net)};
   piece.motion = make_motion(graph, found, piece.net);
   piece.check = check_net(mesh, piece.net);
@@ -109,8 +109,8 @@ void add_neck_notice(JobState& state) {
 
 /// What a person should know about the size: a unit that was guessed, parts that were cut again.
 void add_size_notices(JobState& state) {
-  const SizeOptions& size = state.options.size;
-  const ModelUnit unit = model_unit(state.surface->mesh, size.unit);
+  const SizeOptions& size = state.options.paper.size;
+  const ModelUnit unit = model_unit(state.model.surface->mesh, size.unit);
   if (size.by == Sizing::kScale && unit.guessed) {
     state.notices.push_back({"unit-guessed", {{"unit", unit_name(unit.unit)}}});
   }
@@ -127,9 +127,9 @@ void add_size_notices(JobState& state) {
 void add_smaller_notice(JobState& state, const SheetLayout& sheets,
                         const std::optional<PaperPlan::Smaller>& smaller) {
   if (!smaller) return;
-  const Vec3 extent = extents(state.surface->mesh);
-  const bool by_width = state.options.size.by == Sizing::kWidth;
-  const bool by_depth = state.options.size.by == Sizing::kDepth;
+  const Vec3 extent = extents(state.model.surface->mesh);
+  const bool by_width = state.options.paper.size.by == Sizing::kWidth;
+  const bool by_depth = state.options.paper.size.by == Sizing::kDepth;
   const double along = by_width ? extent.x() : by_depth ? extent.z() : extent.y();
   const double size = std::floor(along * smaller->scale);
   // A flat model has no height, and of a tiny one a millimetre is much.
@@ -146,9 +146,9 @@ void add_smaller_notice(JobState& state, const SheetLayout& sheets,
 
 /// What is glued although no face continues it.
 void add_joint_notice(JobState& state) {
-  const std::size_t count = state.surface->mesh.joints.size();
+  const std::size_t count = state.model.surface->mesh.joints.size();
   if (count == 0) return;
-  const bool has_ids = state.options.ids != IdPlace::kNone;
+  const bool has_ids = state.options.paper.ids != IdPlace::kNone;
   state.notices.push_back({"joints", {{"what", has_ids ? "numbered" : "bare"}, {"count", count}}});
 }
 
@@ -169,7 +169,7 @@ class PaperStage : public Stage {
     if (!plan_) {
       if (!planner_->step()) return false;
       plan_ = planner_->take();
-      mesh_ = scaled(state.surface->mesh, plan_->draft.sheets.scale);
+      mesh_ = scaled(state.model.surface->mesh, plan_->draft.sheets.scale);
       return false;
     }
     if (pieces_.size() < plan_->draft.nets.size()) {
@@ -181,10 +181,10 @@ class PaperStage : public Stage {
 
   void end(JobState& state, Events& events) override {
     JobResult& result = state.result.emplace();
-    result.labels = state.labels;
-    result.file = state.model->file;
-    result.simplified_deviation = state.model->simplified_deviation;
-    result.looks = state.model->looks;
+    result.labels = state.parts.labels;
+    result.file = state.model.source->file;
+    result.simplified_deviation = state.model.source->simplified_deviation;
+    result.looks = state.model.source->looks;
     result.segmentation = source_segmentation(state);
     result.pieces = std::move(pieces_);
     PaperDraft& draft = plan_->draft;
@@ -202,11 +202,11 @@ class PaperStage : public Stage {
       RigidMotion2 motion = result.sheets.turns[i];
       motion.t += Vec2(place.x, place.y);
       net.place = {place.sheet, motion};
-      result.nets.push_back(save_net(state.components[net.region.component], net));
+      result.nets.push_back(save_net(state.parts.components[net.region.component], net));
     }
     // Whoever wants them printed after all need not search them again.
     for (const FoundNet& net : without_small_bodies(state, result.sheets.scale).left_out) {
-      result.nets.push_back(save_net(state.components[net.region.component], net));
+      result.nets.push_back(save_net(state.parts.components[net.region.component], net));
     }
     add_size_notices(state);
     add_smaller_notice(state, result.sheets, plan_->smaller);
@@ -215,12 +215,12 @@ class PaperStage : public Stage {
     add_pin_notice(state, draft.lost_pins);
     add_neck_notice(state);
     add_unchecked_notices(state, draft.nets);
-    result.mesh = state.surface->mesh;
-    result.repairs = state.model->repairs;
-    result.parts = state.parts;
-    result.names = state.names;
-    result.moves = state.moves;
-    result.generations = state.generations;
+    result.mesh = state.model.surface->mesh;
+    result.repairs = state.model.source->repairs;
+    result.parts = state.parts.count;
+    result.names = state.parts.names;
+    result.moves = state.nets.moves;
+    result.generations = state.nets.generations;
     result.notices = std::move(state.notices);
     for (const Notice& notice : result.notices) events.push_back(notice);
     result.hash = hash_of(canonical_dump(result));

@@ -56,18 +56,18 @@ InputError too_large(const JobState& state, const Net& net) {
   // As a person would measure it with a ruler: the smallest box around it.
   const auto area = [](const Turn& turn) { return turn.box.width * turn.box.height; };
   const Extent box = std::ranges::min(upright_turns(convex_hull(print.points())), {}, area).box;
-  const double share = fitting_scale(std::span(&print, 1), state.options.sheet);
+  const double share = fitting_scale(std::span(&print, 1), state.options.paper.sheet);
   return InputError(kFaceTooLarge, {{"face_width_mm", std::max(box.width, box.height)},
                                     {"face_height_mm", std::min(box.width, box.height)},
-                                    {"width_mm", state.options.sheet.width},
-                                    {"height_mm", state.options.sheet.height},
+                                    {"width_mm", state.options.paper.sheet.width},
+                                    {"height_mm", state.options.paper.sheet.height},
                                     {"share", share}});
 }
 
 /// The nets' outlines and area in model units.
 std::vector<Footprint> bare_footprints(const JobState& state) {
   std::vector<Footprint> prints;
-  for (const FoundNet& found : state.nets) {
+  for (const FoundNet& found : state.nets.found) {
     prints.push_back(footprint_of(flatten(state, found, 1)));
   }
   return prints;
@@ -86,12 +86,12 @@ bool is_long(const DualGraph& graph, int panel, double length) {
 }  // namespace
 
 void check_panels_fit(const JobState& state) {
-  const SizeOptions& size = state.options.size;
+  const SizeOptions& size = state.options.paper.size;
   if (size.by == Sizing::kFit || size.by == Sizing::kSheets) return;
-  const Mesh& mesh = state.surface->mesh;
-  const DualGraph& graph = state.surface->graph;
+  const Mesh& mesh = state.model.surface->mesh;
+  const DualGraph& graph = state.model.surface->graph;
   const double scale = fixed_scale(mesh, size);
-  const Extent room = printable(state.options.sheet);
+  const Extent room = printable(state.options.paper.sheet);
   const double shorter = std::min(room.width, room.height) / scale;
   for (int panel = 0; panel < graph.panel_count(); ++panel) {
     if (!is_long(graph, panel, shorter)) continue;
@@ -103,10 +103,11 @@ void check_panels_fit(const JobState& state) {
 
 ScaleFinder::ScaleFinder(const JobState& state) : state_(state) {
   const std::vector<Footprint> prints = bare_footprints(state);
-  high_ = fitting_scale(prints, state.options.sheet);
-  const Extent room = printable(state.options.sheet);
+  high_ = fitting_scale(prints, state.options.paper.sheet);
+  const Extent room = printable(state.options.paper.sheet);
   // A tiny sheet may hold no net with flaps on both sides; then they are kept off its edge.
-  const double spare = 1 - 2 * state.options.flaps.shape.height / std::min(room.width, room.height);
+  const double spare =
+      1 - 2 * state.options.paper.flaps.shape.height / std::min(room.width, room.height);
   low_ = high_ * std::max(spare, 0.5);
   const EarlierPaper* earlier = earlier_paper(state);
   if (earlier && earlier->scale < high_) {
@@ -159,9 +160,9 @@ bool ScaleFinder::step_freely() {
 
 bool ScaleFinder::fits_at(double scale) const {
   std::vector<Net> nets;
-  for (const FoundNet& found : state_.nets) nets.push_back(flatten(state_, found, scale));
-  const FlapPlan plan = place_flaps(state_.surface->mesh, nets, state_.options.flaps);
-  const Extent room = printable(state_.options.sheet);
+  for (const FoundNet& found : state_.nets.found) nets.push_back(flatten(state_, found, scale));
+  const FlapPlan plan = place_flaps(state_.model.surface->mesh, nets, state_.options.paper.flaps);
+  const Extent room = printable(state_.options.paper.sheet);
   for (std::size_t i = 0; i < nets.size(); ++i) {
     const Footprint print = footprint_of(nets[i], plan.flaps[i]);
     if (!(is_straight_ ? fits_straight(print, room) : fits_somehow(print, room))) return false;
@@ -171,7 +172,7 @@ bool ScaleFinder::fits_at(double scale) const {
 
 NetCutter::NetCutter(const JobState& state, std::vector<FoundNet> nets, double scale)
     : state_(state), scale_(scale), open_(std::move(nets)) {
-  if (state.options.size.by == Sizing::kFit) {
+  if (state.options.paper.size.by == Sizing::kFit) {
     fitting_ = std::move(open_);
     open_.clear();
   }
@@ -182,7 +183,7 @@ FitStep NetCutter::step() {
   if (open_.empty()) return FitStep::kDone;
   FoundNet next = std::move(open_.back());
   open_.pop_back();
-  const Extent room = printable(state_.options.sheet);
+  const Extent room = printable(state_.options.paper.sheet);
   const Net net = flatten(state_, next, scale_);
   if (fits_somehow(footprint_of(net), room)) {
     fitting_.push_back(std::move(next));
@@ -194,7 +195,7 @@ FitStep NetCutter::step() {
     return FitStep::kDoesNotFit;
   }
   const int fold = folds[choose_cut(plates, room)];
-  auto halves = split_net(state_.components[next.region.component], next, fold);
+  auto halves = split_net(state_.parts.components[next.region.component], next, fold);
   // The first half is looked at first, so that pieces come in order.
   open_.push_back(std::move(halves[1]));
   open_.push_back(std::move(halves[0]));

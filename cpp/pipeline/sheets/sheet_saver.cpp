@@ -15,9 +15,9 @@ constexpr int kTrialEffort = 6;
 constexpr std::size_t kMostPieces = 50;
 
 bool is_likely(const JobState& state, const SheetLayout& layout) {
-  return state.options.size.by != Sizing::kSheets && layout.sheet_count > 1 &&
+  return state.options.paper.size.by != Sizing::kSheets && layout.sheet_count > 1 &&
          layout.used_height < 0.5 * layout.sheet_height &&
-         layout.placements.size() <= kMostPieces && state.pins.empty();
+         layout.placements.size() <= kMostPieces && state.parts.pins.empty();
 }
 
 }  // namespace

@@ -83,24 +83,25 @@ void check_pins(std::span<const PinnedPiece> pins) {
 }  // namespace
 
 void check_options(const JobOptions& options) {
-  check(options.parts >= 0, "parts", {{"least", 1}});
-  check(options.runs >= 1 && options.runs <= 65535, "runs", {{"least", 1}, {"most", 65535}});
+  check(options.parts.count >= 0, "parts", {{"least", 1}});
+  check(options.parts.runs >= 1 && options.parts.runs <= 65535, "runs",
+        {{"least", 1}, {"most", 65535}});
   // Less is lost in the rounding of coordinates; more erodes all faces by as much as they may be.
-  check(options.clearance >= 1e-4 && options.clearance <= 0.2, "clearance",
+  check(options.nets.clearance >= 1e-4 && options.nets.clearance <= 0.2, "clearance",
         {{"least", 1e-4}, {"most", 0.2}});
-  check(options.proxy >= 0, "proxy", {{"least", 0}});
+  check(options.parts.proxy >= 0, "proxy", {{"least", 0}});
   // A closed surface has at least four faces.
-  check(options.faces == 0 || options.faces >= 4, "faces", {{"least", 4}});
+  check(options.model.faces == 0 || options.model.faces >= 4, "faces", {{"least", 4}});
   // No hole is wider than the diagonal of the model's box, at most 173 % of its longest side.
-  check(options.fill_holes >= 0 && options.fill_holes <= 200, "fill-holes",
+  check(options.model.fill_holes >= 0 && options.model.fill_holes <= 200, "fill-holes",
         {{"least", 0}, {"most", 200}});
-  check(options.min_piece >= 0 && options.min_piece <= 1000, "min-piece",
+  check(options.paper.min_piece >= 0 && options.paper.min_piece <= 1000, "min-piece",
         {{"least", 0}, {"most", 1000}});
-  check_size(options.size);
-  check_flaps(options.flaps);
-  check_names(options.names);
-  check_pins(options.pins);
-  const SheetOptions& sheet = options.sheet;
+  check_size(options.paper.size);
+  check_flaps(options.paper.flaps);
+  check_names(options.paper.names);
+  check_pins(options.paper.pins);
+  const SheetOptions& sheet = options.paper.sheet;
   // Ten metres: wider than any roll, and far below what would lose precision.
   const auto is_length = [](double mm) { return std::isfinite(mm) && mm > 0 && mm <= 10000; };
   check(is_length(sheet.width) && is_length(sheet.height), "paper", {{"most", 10000}});

@@ -54,25 +54,42 @@ struct PinnedPiece {
   Pin pin;
 };
 
-/// What a job is asked for.
-struct JobOptions {
-  int parts = 0;  ///< number of parts; 0 estimates it
-  Heuristic heuristic = Heuristic::kSteepestEdge;
-  Segmenter segmenter = Segmenter::kShape;
-  Solver solver = Solver::kTree;
-  FoldingMode folding = FoldingMode::kPrefer;
-  /// How far apart faces stay while folding, in mean edge lengths: see `make_foldable`.
-  double clearance = kClearance;
-  int runs = 400;  ///< learning runs, 1 to 65535
-  /// Learn on a simplified proxy above this many faces; 0: never. Proxies of 500 to 1000 faces
-  /// segment as well as anything larger, and learning grows with the square.
-  int proxy = 1000;
-  std::uint32_t seed = 1;
+// Options are sorted by what they decide first: whatever was made before that stays as it is when
+// they change.
+
+/// What decides the model: how the file becomes a surface.
+struct ModelOptions {
   int faces = 0;       ///< simplify to this many triangles first; 0: keep all
   Up up = Up::kGuess;  ///< guessed from the file's format
   /// Fill holes up to so many percent of the model's longest side across; 0: none.
   double fill_holes = 0;
   bool drop_inner = false;  ///< leave out bodies that lie inside others
+};
+
+/// What decides the parts of a model.
+struct PartOptions {
+  int count = 0;  ///< number of parts; 0 estimates it
+  Segmenter segmenter = Segmenter::kShape;
+  Heuristic heuristic = Heuristic::kSteepestEdge;
+  int runs = 400;  ///< learning runs, 1 to 65535
+  /// Learn on a simplified proxy above this many faces; 0: never. Proxies of 500 to 1000 faces
+  /// segment as well as anything larger, and learning grows with the square.
+  int proxy = 1000;
+  std::vector<EdgeLock> locks = {};  ///< of the job's mesh; see `lock_edges`
+};
+
+/// What decides the nets of parts. Where they are made better to craft (`compaction`), they are so
+/// at the size, with the flaps and on the sheets of `PaperOptions`.
+struct NetOptions {
+  Solver solver = Solver::kTree;
+  FoldingMode folding = FoldingMode::kPrefer;
+  /// How far apart faces stay while folding, in mean edge lengths: see `make_foldable`.
+  double clearance = kClearance;
+  bool compaction = true;  ///< make nets better to craft after they were found
+};
+
+/// What decides the sheets.
+struct PaperOptions {
   SizeOptions size = {};
   SheetOptions sheet = {};
   FlapOptions flaps = {};
@@ -81,8 +98,15 @@ struct JobOptions {
   double min_piece = 0;              ///< bodies that are shorter than this, in mm, are not printed
   std::vector<PartName> names = {};  ///< in a job with a start: of the parts of the earlier result
   std::vector<PinnedPiece> pins = {};
-  std::vector<EdgeLock> locks = {};  ///< of the job's mesh; see `lock_edges`
-  bool compaction = true;            ///< make nets better to craft after they were found
+};
+
+/// What a job is asked for.
+struct JobOptions {
+  ModelOptions model = {};
+  PartOptions parts = {};
+  NetOptions nets = {};
+  PaperOptions paper = {};
+  std::uint32_t seed = 1;  ///< of everything that is random
 };
 
 /// \throw InputError that names the first option out of its range
