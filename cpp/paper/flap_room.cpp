@@ -57,7 +57,7 @@ FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygo
     : nets_(nets) {
   for (const Net& net : nets) {
     const int n = static_cast<int>(obstacles_.size());
-    obstacles_.push_back({{}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
+    obstacles_.push_back({{}, {}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
     for (const auto& [a, b, c] : net.corners) {
       add(n, {net.vertices[a], net.vertices[b], net.vertices[c]});
     }
@@ -114,13 +114,14 @@ int FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
 
 void FlapRoom::give_back(const SeamSide& side, int taken) {
   Obstacles& all = obstacles_[side.net];
-  all.grid.remove(taken, box_of(all.polygons[taken]));
+  all.grid.remove(taken, all.boxes[taken]);
 }
 
 int FlapRoom::add(int net, Polygon polygon) {
   Obstacles& all = obstacles_[net];
   const int index = static_cast<int>(all.polygons.size());
-  all.grid.insert(index, box_of(polygon));
+  all.boxes.push_back(box_of(polygon));
+  all.grid.insert(index, all.boxes.back());
   all.polygons.push_back(std::move(polygon));
   return index;
 }
@@ -132,7 +133,7 @@ std::vector<const Polygon*> FlapRoom::near(const SeamSide& side, double height) 
   std::vector<int> found;
   all.grid.visit(reach, [&](int i) {
     const bool is_own = std::ranges::find(side.faces, i) != side.faces.end();
-    if (!is_own && box_of(all.polygons[i]).meets(reach)) found.push_back(i);
+    if (!is_own && all.boxes[i].meets(reach)) found.push_back(i);
     return true;
   });
   std::ranges::sort(found);

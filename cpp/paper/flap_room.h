@@ -51,6 +51,7 @@ class FlapRoom {
   /// Polygons of one net that flaps must not overlap: its faces, then all else.
   struct Obstacles {
     std::vector<Polygon> polygons;
+    std::vector<Box2> boxes;  ///< of these
     BoxGrid<2> grid;
   };
 

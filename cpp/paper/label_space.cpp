@@ -34,13 +34,12 @@ bool LabelSpace::is_free(const TextBox& box) const {
   const Box2 reach = box_of(corners);
   bool is_free = true;
   line_grid_.visit(reach, [&](int i) {
-    const Stroke& stroke = lines_[i].stroke;
-    is_free = !reach.meets(around(stroke)) || !meets(box, stroke);
+    is_free = !reach.meets(lines_[i].box) || !meets(box, lines_[i].stroke);
     return is_free;
   });
   if (!is_free) return false;
   text_grid_.visit(reach, [&](int i) {
-    is_free = !convex_overlap(corners, texts_[i].corners(), 0);
+    is_free = !convex_overlap(corners, texts_[i].corners, 0);
     return is_free;
   });
   return is_free;
@@ -55,22 +54,23 @@ bool LabelSpace::is_open(const Stroke& stroke) const {
   });
   if (!is_open) return false;
   text_grid_.visit(reach, [&](int i) {
-    is_open = !meets(texts_[i], stroke);
+    is_open = !meets(texts_[i].box, stroke);
     return is_open;
   });
   return is_open;
 }
 
 void LabelSpace::take(const TextBox& box) {
-  texts_.push_back(box);
-  text_grid_.insert(static_cast<int>(texts_.size()) - 1, box_of(box.corners()));
+  texts_.push_back({box, box.corners()});
+  text_grid_.insert(static_cast<int>(texts_.size()) - 1, box_of(texts_.back().corners));
 }
 
 void LabelSpace::take(const Stroke& stroke) { add_line(stroke, false); }
 
 void LabelSpace::add_line(const Stroke& stroke, bool is_outline) {
-  lines_.push_back({stroke, is_outline});
-  line_grid_.insert(static_cast<int>(lines_.size()) - 1, around(stroke));
+  const Box2 box = around(stroke);
+  lines_.push_back({stroke, box, is_outline});
+  line_grid_.insert(static_cast<int>(lines_.size()) - 1, box);
 }
 
 }  // namespace foldwright

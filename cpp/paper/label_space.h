@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -29,13 +30,18 @@ class LabelSpace {
  private:
   struct Line {
     Stroke stroke;
+    Box2 box;
     bool is_outline;
+  };
+  struct Text {
+    TextBox box;
+    std::array<Vec2, 4> corners;
   };
 
   void add_line(const Stroke& stroke, bool is_outline);
 
   std::vector<Line> lines_;
-  std::vector<TextBox> texts_;
+  std::vector<Text> texts_;
   BoxGrid<2> line_grid_, text_grid_;
 };
 

@@ -3,54 +3,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "paper/bytes.h"
+
 namespace foldwright {
 namespace {
 
 // Half of what is held: older texts are forgotten when recent ones come to as much.
 constexpr std::size_t kMostRecentBytes = std::size_t{8} << 20;
-
-/// Appends values as raw bytes; a count before each list keeps them apart.
-class Bytes {
- public:
-  void add(double value) { append(&value, sizeof value); }
-  void add(int value) { append(&value, sizeof value); }
-  void add(const Vec2& p) {
-    add(p.x());
-    add(p.y());
-  }
-  void add(const Stroke& stroke) {
-    add(stroke.from);
-    add(stroke.to);
-  }
-  void add(const std::string& text) {
-    add(static_cast<int>(text.size()));
-    append(text.data(), text.size());
-  }
-  template <class Values, class Add>
-  void add_all(const Values& values, Add&& add_one) {
-    add(static_cast<int>(values.size()));
-    for (const auto& value : values) add_one(value);
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-
-  void append(const void* data, std::size_t size) {
-    bytes_.append(static_cast<const char*>(data), size);
-  }
-};
-
-void add_net(const Net& net, Bytes& bytes) {
-  bytes.add_all(net.vertices, [&](const Vec2& p) { bytes.add(p); });
-  bytes.add_all(net.corners, [&](const std::array<int, 3>& corners) {
-    for (const int corner : corners) bytes.add(corner);
-  });
-  bytes.add_all(net.edges, [&](const NetEdge& edge) {
-    for (const int vertex : edge.vertices) bytes.add(vertex);
-    bytes.add(static_cast<int>(edge.assignment));
-  });
-}
 
 void add_id(const SideId& id, Bytes& bytes) {
   bytes.add_all(id.side->edges, [&](int edge) { bytes.add(edge); });
@@ -77,7 +36,7 @@ std::string bytes_of(const PieceTextTask& task) {
   Bytes bytes;
   bytes.add(static_cast<int>(task.place));
   bytes.add(task.name);
-  add_net(*task.net, bytes);
+  bytes.add(*task.net);
   bytes.add_all(task.flaps, [&](const Flap& flap) {
     bytes.add(flap.edge);
     bytes.add(flap.height);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "paper/flap_memory.h"
 #include "paper/text_memory.h"
 #include "pipeline/model/source_model.h"
 #include "pipeline/values/events.h"
@@ -81,6 +82,7 @@ Component make_component(const DualGraph& model, std::vector<int> panels);
 /// same, and sooner there.
 struct JobMemory {
   ModelMemory model;
+  FlapMemory flaps;
   TextMemory texts;
 };
 

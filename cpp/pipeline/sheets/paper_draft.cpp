@@ -88,7 +88,8 @@ void PaperDrafter::begin_pieces() {
 bool PaperDrafter::place_flaps_on_sheets() {
   const FlapOptions& options = state_.options.paper.flaps;
   const Extent room = printable(state_.options.paper.sheet);
-  draft_.flaps = place_flaps(state_.model.surface->mesh, draft_.flat, options, keep_off_);
+  draft_.flaps =
+      state_.memory->flaps.place(state_.model.surface->mesh, draft_.flat, options, keep_off_);
   keep_off_.resize(draft_.flat.size());
   held_.resize(draft_.flat.size());
   bool fits_all = true;
