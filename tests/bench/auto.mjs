@@ -34,7 +34,9 @@ async function outcome(path, parts) {
   const report = join(scratch, `${++reports}.json`);
   const options = ['--parts', String(parts), '--workers', '1', '--report', report, '--quiet'];
   try {
-    await promisify(execFile)(process.execPath, [command, path, ...options], { timeout: 1_800_000 });
+    await promisify(execFile)(process.execPath, [command, path, ...options], {
+      timeout: 1_800_000,
+    });
   } catch (error) {
     if (error.code === 3) return null;
     throw error;

@@ -18,7 +18,16 @@ const parts = 8;
 const rounds = 5;
 
 /** Ms that each edit may take. */
-const targets = { name: 50, flap: 50, place: 50, style: 50, cut: 50, undo: 50, redo: 50, paper: 300 };
+const targets = {
+  name: 50,
+  flap: 50,
+  place: 50,
+  style: 50,
+  cut: 50,
+  undo: 50,
+  redo: 50,
+  paper: 300,
+};
 
 function models() {
   if (process.argv.length > 2) return process.argv.slice(2);
@@ -86,15 +95,15 @@ function stepsOf({ folds, seams }, round) {
 /** In the page. */
 async function begin({ address, name, text, count }) {
   const { open } = await import(address);
-  const session = await open([{ name, bytes: new TextEncoder().encode(text) }]);
+  const session = await open([{ name, bytes: new globalThis.TextEncoder().encode(text) }]);
   await session.run({ parts: count, height: 150 });
   globalThis.session = session;
   globalThis.longTasks = [];
-  new PerformanceObserver((list) => {
+  new globalThis.PerformanceObserver((list) => {
     for (const { duration } of list.getEntries()) globalThis.longTasks.push(duration);
   }).observe({ type: 'longtask' });
   const [fold] = await session.export('fold');
-  return new TextDecoder().decode(fold.bytes);
+  return new globalThis.TextDecoder().decode(fold.bytes);
 }
 
 /** In the page: ms, whether it was done, and the longest task. */
@@ -105,8 +114,12 @@ async function timed([step, edit]) {
   const applied = edit ? await session.apply(edit) : session[step]();
   await session.result();
   const ms = performance.now() - start;
-  await new Promise((resolve) => setTimeout(resolve, 30));
-  return { ms, refused: applied?.ok === false ? applied.code : null, longest: Math.max(0, ...longTasks) };
+  await new Promise((resolve) => globalThis.setTimeout(resolve, 30));
+  return {
+    ms,
+    refused: applied?.ok === false ? applied.code : null,
+    longest: Math.max(0, ...longTasks),
+  };
 }
 
 async function measure({ page }, address, model) {
@@ -128,7 +141,9 @@ async function measure({ page }, address, model) {
 }
 
 function printRow(name, values, verdict) {
-  console.log(`${name.padEnd(10)}${values.map((v) => String(v).padStart(10)).join('')}  ${verdict}`.trimEnd());
+  console.log(
+    `${name.padEnd(10)}${values.map((v) => String(v).padStart(10)).join('')}  ${verdict}`.trimEnd(),
+  );
 }
 
 function print(rows) {
@@ -145,7 +160,9 @@ function print(rows) {
 
 const shared = sharedFolder();
 if (!isBuilt || shared === null) {
-  console.log(isBuilt ? 'page edits: skipped, the models are missing' : 'page edits: skipped, not built');
+  console.log(
+    isBuilt ? 'page edits: skipped, the models are missing' : 'page edits: skipped, not built',
+  );
   process.exit(isBuilt ? 0 : 1);
 }
 const server = await serve(fileURLToPath(new URL('../../dist', import.meta.url)));

@@ -92,6 +92,7 @@ if (process.argv.includes('--full')) {
   run('build/release/bench_paper', ['folding=off'], 'inherit');
   run(process.execPath, ['tests/bench/growth.mjs', '20000'], 'inherit');
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
+  run(process.execPath, ['tests/bench/page-edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/auto.mjs'], 'inherit');

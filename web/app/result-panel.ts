@@ -1,5 +1,5 @@
 import type { PrintedPage } from '../export/printed-pages.js';
-import type { Notice } from '../model/job.js';
+import type { JobResult, Notice } from '../model/job.js';
 import { otherNotices, resultNotices } from '../model/result-notices.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
@@ -11,6 +11,7 @@ import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { PrintPanel } from './print-panel.js';
 import { ResultWriter } from './result-writer.js';
+import { drawSheet, partsOf } from './sheet-figure.js';
 import type { SheetList } from './sheet-list.js';
 import type { StepsPanel } from './steps-panel.js';
 import { WriterHost } from './writer-host.js';
@@ -169,6 +170,18 @@ export class ResultPanel extends Panel {
     ];
     this.remarks.replaceChildren(...remarks);
     this.remarks.hidden = remarks.length === 0;
+  }
+
+  /** The sheets of another result of the same model, drawn as those on the page are. */
+  async sheetsOf(result: JobResult): Promise<HTMLLIElement[]> {
+    const shown = this.shownRun;
+    if (!shown) return [];
+    const { model, settings } = shown.run;
+    const source = { result, name: stem(model.name), margin: settings.margin };
+    const writer = new ResultWriter(this.host, source, shown.writer.options);
+    const sources = await Promise.all(result.sheets.map((_, sheet) => writer.sheet(sheet)));
+    writer.close();
+    return sources.map((svg, index) => drawSheet(partsOf(this.told, result, index, svg)));
   }
 
   /** All pages of the result as they are printed now. */

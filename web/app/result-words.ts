@@ -80,9 +80,9 @@ function glueWords({ result: told }: Words, result: JobResult): string {
   return seams.length > 0 ? told.glue(mm / 1000, seams.length) : told.none;
 }
 
-/** The figures worth knowing before printing; `margin`: around each sheet, mm. */
-export function resultFacts(words: Words, result: TimedResult, margin: number): Fact[] {
-  const { result: told, speech } = words;
+/** Figures that one net has better than another; `margin`: around each sheet, mm. */
+export function craftFacts(words: Words, result: JobResult, margin: number): Fact[] {
+  const { result: told } = words;
   const { facts } = told;
   return [
     [facts.size, finishedSize(words, result.model, '×')],
@@ -92,7 +92,15 @@ export function resultFacts(words: Words, result: TimedResult, margin: number): 
     [facts.numbers, idWords(words, result)],
     [facts.scale, told.scale(Number(result.scale.toPrecision(3)))],
     [facts.paper, told.percent(Math.round(100 * paperUse(result, margin)))],
-    [facts.triangles, speech.figure(result.model.faces.length / 3)],
+  ];
+}
+
+/** The figures worth knowing before printing; `margin`: around each sheet, mm. */
+export function resultFacts(words: Words, result: TimedResult, margin: number): Fact[] {
+  const { facts } = words.result;
+  return [
+    ...craftFacts(words, result, margin),
+    [facts.triangles, words.speech.figure(result.model.faces.length / 3)],
     [facts.time, duration(words, result.seconds.total)],
   ];
 }

@@ -1,54 +1,19 @@
 import type { JobResult, Piece } from '../model/job.js';
-import { partColour } from '../model/part-colours.js';
 import { lightEdges } from '../view/edge-lights.js';
 import { signLocks } from '../view/lock-signs.js';
-import { partHatch } from '../view/part-hatches.js';
 import { markSheet } from '../view/sheet-marks.js';
-import { sheetPicture, type PiecePaint } from '../view/sheet-picture.js';
-import type { Words } from '../words/words.js';
-import { make } from './dom.js';
 import type { LightsBySheet, LocksBySheet } from './edge-lighting.js';
 import { MatView } from './mat-view.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
+import { drawSheet, keyOf, partsOf } from './sheet-figure.js';
 import { placeOn, type SheetPlace } from './sheet-place.js';
 import type { MarksBySheet } from './step-marks.js';
 
 /** So many new sheets, as a piece changes that goes from one to another, come at once: the page must not move then. */
 const fewSheets = 2;
-
-/** What a sheet on the page was made of; two that were made of the same look the same. */
-interface SheetParts {
-  source: string;
-  paints: ReadonlyMap<string, PiecePaint>;
-  caption: string;
-  /** Of the width of the widest sheet. */
-  share: number;
-}
-
-function partsOf(words: Words, result: JobResult, index: number, source: string): SheetParts {
-  const pieces = result.pieces.filter((piece) => piece.sheet === index);
-  const paints = new Map(
-    pieces.map(({ name, part }) => [name, { colour: partColour(part), hatch: partHatch(part) }]),
-  );
-  const caption = words.result.caption(index + 1, result.sheets.length, [...paints.keys()]);
-  const widest = Math.max(...result.sheets.map(({ width }) => width));
-  return { source, paints, caption, share: result.sheets[index]!.width / widest };
-}
-
-function keyOf({ source, paints, caption, share }: SheetParts): string {
-  return JSON.stringify([source, [...paints], caption, share]);
-}
-
-/** One sheet with its caption. */
-function drawSheet({ source, paints, caption, share }: SheetParts): HTMLLIElement {
-  const picture = sheetPicture(source, paints, caption);
-  const figure = make('figure', {}, picture, make('figcaption', { textContent: caption }));
-  figure.style.setProperty('--share', String(share));
-  return make('li', { className: 'sheet' }, figure);
-}
 
 /** Who hears of the pointer over the sheets. */
 export interface SheetListener {

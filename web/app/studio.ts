@@ -14,6 +14,7 @@ import { phraseOf } from '../words/phrase.js';
 import { askedFields } from './asked-options.js';
 import { isSupported } from './browser-support.js';
 import { Checking } from './checking.js';
+import { ComparisonPanel } from './comparison-panel.js';
 import { triangleWords } from './check-words.js';
 import { tooManyFaces, type Check } from './check.js';
 import { DownloadBar } from './download-bar.js';
@@ -189,6 +190,10 @@ export class Studio extends Panel {
       ...move,
     });
     listenForUndo(place, move);
+    new ComparisonPanel(place, this.store, {
+      draw: (result) => this.result.sheetsOf(result),
+      undo: move.undo,
+    });
     new HatchSwitch(place, (hatched) => this.workshop.hatch(hatched));
     this.store.on('choice', () => this.choice.show(this.store.choice));
     this.store.on('work', () => {

@@ -156,11 +156,14 @@ function spareSheet(result: JobResult, margin: number): Finding {
   };
 }
 
+/** Seconds that it takes to build a result whose seams are glued. */
+export function buildingSeconds(result: JobResult): number {
+  const creases = result.pieces.map((piece) => creasesOf(piece));
+  return buildingTime(result, creases).glued;
+}
+
 function longBuilding(result: JobResult): Finding {
-  const { glued: seconds } = buildingTime(
-    result,
-    result.pieces.map((piece) => creasesOf(piece)),
-  );
+  const seconds = buildingSeconds(result);
   const hours = seconds / 3600;
   const level = levelOf(hours, manyHours, Infinity);
   return { code: 'long-building', level, count: Math.round(hours), params: { seconds } };

@@ -22,6 +22,16 @@ export const page: Words['page'] = {
     find: 'Finden',
     print: 'Drucken',
   },
+  comparing: {
+    open: 'Mit vorher vergleichen',
+    title: 'Vor der letzten Änderung und jetzt',
+    before: 'Vorher',
+    now: 'Jetzt',
+    back: 'Zurück zu vorher',
+    keep: 'So lassen wie jetzt',
+    sheetsBefore: 'Blätter vorher',
+    sheetsNow: 'Blätter jetzt',
+  },
   status: {
     hint: 'Stell ein, wie es werden soll, und drück dann auf „Abwickeln“.',
     apply: 'Neu abwickeln',

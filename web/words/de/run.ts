@@ -103,6 +103,8 @@ export const result: Words['result'] = {
     );
   },
   facts: {
+    pieces: 'Teile',
+    sheets: 'Blätter',
     size: 'Fertige Größe',
     smallest: 'Kleinstes Teil',
     glue: 'Zu kleben',

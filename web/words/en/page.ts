@@ -22,6 +22,16 @@ export const page = {
     find: 'Find',
     print: 'Print',
   },
+  comparing: {
+    open: 'Compare with before',
+    title: 'Before the last change, and now',
+    before: 'Before',
+    now: 'Now',
+    back: 'Go back to before',
+    keep: 'Keep it as it is now',
+    sheetsBefore: 'Sheets before',
+    sheetsNow: 'Sheets now',
+  },
   status: {
     hint: 'Choose how it shall be, then press Unfold.',
     apply: 'Apply and unfold again',

@@ -106,6 +106,8 @@ export const result = {
   },
   /** Labels of what is worth knowing before printing. */
   facts: {
+    pieces: 'Pieces',
+    sheets: 'Sheets',
     size: 'Finished size',
     smallest: 'Smallest piece',
     glue: 'To glue',

@@ -22,6 +22,16 @@ export const page: Words['page'] = {
     find: 'Buscar',
     print: 'Imprimir',
   },
+  comparing: {
+    open: 'Comparar con antes',
+    title: 'Antes del último cambio y ahora',
+    before: 'Antes',
+    now: 'Ahora',
+    back: 'Volver a lo de antes',
+    keep: 'Dejarlo como está ahora',
+    sheetsBefore: 'Hojas de antes',
+    sheetsNow: 'Hojas de ahora',
+  },
   status: {
     hint: 'Elige cómo lo quieres y después pulsa «Desplegar».',
     apply: 'Aplicar y volver a desplegar',

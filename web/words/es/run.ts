@@ -97,6 +97,8 @@ export const result: Words['result'] = {
     );
   },
   facts: {
+    pieces: 'Piezas',
+    sheets: 'Hojas',
     size: 'Tamaño final',
     smallest: 'Pieza más pequeña',
     glue: 'Para pegar',

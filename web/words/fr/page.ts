@@ -22,6 +22,16 @@ export const page: Words['page'] = {
     find: 'Trouver',
     print: 'Imprimer',
   },
+  comparing: {
+    open: 'Comparer avec avant',
+    title: 'Avant le dernier changement et maintenant',
+    before: 'Avant',
+    now: 'Maintenant',
+    back: 'Revenir à avant',
+    keep: 'Garder l’état actuel',
+    sheetsBefore: 'Feuilles d’avant',
+    sheetsNow: 'Feuilles de maintenant',
+  },
   status: {
     hint: 'Choisis tes réglages, puis appuie sur «\u202fDéplier\u202f».',
     apply: 'Appliquer et redéplier',

@@ -99,6 +99,8 @@ export const result: Words['result'] = {
     );
   },
   facts: {
+    pieces: 'Pièces',
+    sheets: 'Feuilles',
     size: 'Taille finie',
     smallest: 'Plus petite pièce',
     glue: 'À coller',

@@ -22,6 +22,16 @@ export const page: Words['page'] = {
     find: '探す',
     print: '印刷',
   },
+  comparing: {
+    open: '前と比べる',
+    title: '最後の変更の前と今',
+    before: '前',
+    now: '今',
+    back: '前に戻す',
+    keep: '今のままにする',
+    sheetsBefore: '前の用紙',
+    sheetsNow: '今の用紙',
+  },
   status: {
     hint: '好みに合わせて選び、「展開する」を押してください。',
     apply: '反映してもう一度展開',

@@ -90,6 +90,8 @@ export const result: Words['result'] = {
     );
   },
   facts: {
+    pieces: 'ピース',
+    sheets: '用紙',
     size: '完成サイズ',
     smallest: '最小の部品',
     glue: '貼る長さ',
