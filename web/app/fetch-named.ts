@@ -2,10 +2,11 @@
 import { FileLimits, type ModelFile } from '../model/model-files.js';
 import { placesOf } from '../read/companions.js';
 import { companionsOf } from '../read/named-files.js';
+import { decoded } from '../read/paths.js';
 
-/** A path from the folder of the model as an address. */
+/** A path from the folder of the model as an address; glTF files have such paths encoded already. */
 function addressOf(path: string, model: URL): URL {
-  return new URL(path.split('/').map(encodeURIComponent).join('/'), model);
+  return new URL(decoded(path).split('/').map(encodeURIComponent).join('/'), model);
 }
 
 /** Fetches files from the folder of a model, and from none outside of it. */
@@ -44,7 +45,7 @@ class Folder {
 
 /**
  * The files that a model names, and those that these name, as far as they are there: whoever reads the model tells
- * what is missing. Each is asked for once.
+ * what is missing. Each is asked for once. Rejects only when the signal is aborted.
  *
  * @param address of the model
  */
@@ -57,7 +58,7 @@ export async function fetchNamed(
   for (;;) {
     const wanted = new Set<string>();
     const found = companionsOf(model, (name, base) => {
-      // Other places than the first are tried where somebody has moved files, who may be told instead.
+      // A server is asked for one place only: what is not there counts as an error in the console of the page.
       const [place] = placesOf(name, base, model.name);
       if (place === undefined) return null;
       const file = folder.known(place);

@@ -86,19 +86,23 @@ export async function fetchModelFile(
   signal: AbortSignal,
 ): Promise<ChosenModel> {
   const name = fileNameOf(address);
+  const unloaded = (): never => {
+    const words = isElsewhere(address, base) ? 'notLetIn' : 'notLoaded';
+    throw new UnusableChoice(({ choice }) => choice[words](name));
+  };
   let bytes: Blob;
   try {
     const response = await fetch(new URL(address, base), { signal });
     if (!response.ok) throw new Error(response.statusText);
     bytes = await response.blob();
   } catch {
-    const words = isElsewhere(address, base) ? 'notLetIn' : 'notLoaded';
-    throw new UnusableChoice(({ choice }) => choice[words](name));
+    return unloaded();
   }
-  const chosen = await readModelFiles([{ path: name, file: new File([bytes], name) }]);
-  const [model] = chosen.files;
-  const named = model ? await fetchNamed(model, new URL(address, base), signal) : [];
-  return { ...chosen, files: [...chosen.files, ...named] };
+  const { files, ...chosen } = await readModelFiles([
+    { path: name, file: new File([bytes], name) },
+  ]);
+  const named = await fetchNamed(files[0]!, new URL(address, base), signal).catch(unloaded);
+  return { ...chosen, files: [...files, ...named] };
 }
 
 async function readFile({ path, file }: PickedFile): Promise<ModelFile> {
