@@ -1,68 +1,37 @@
 /**
- * Makes the gallery of sample models: `web/app/public/samples/` gets one file and one thumbnail
- * per model and `catalog.json`, which the page reads. The same script writes the same bytes.
+ * Makes the gallery of sample models: `web/app/public/samples/` gets one model with its materials and one thumbnail
+ * for each, and `catalog.json`, which the page reads. The same script writes the same bytes.
  */
 import { mkdir, rm, writeFile } from 'node:fs/promises';
+import { animalColours } from './samples/animal-colours.mjs';
 import { ANIMALS } from './samples/animals.mjs';
 import { checkSolid } from './samples/check.mjs';
 import { decimateHalf, mirrorHalf } from './samples/decimate.mjs';
+import { paint } from './samples/paint.mjs';
+import { polyhedronColours } from './samples/polyhedron-colours.mjs';
 import { cube, house, icosahedron, knot, star, torus, triangulate } from './samples/polyhedra.mjs';
 import { surfaceNets } from './samples/surface-nets.mjs';
 import { drawThumbnail } from './samples/thumbnail.mjs';
-import { toObj, toStl } from './samples/write.mjs';
+import { toMtl, toObj } from './samples/write.mjs';
 
 const OUT = new URL('../web/app/public/samples/', import.meta.url);
 
-/** How each model is turned in its thumbnail, in degrees, and its darkest shade. */
-const LOOKS = {
-  whale: [
-    [20, -52, 0],
-    [28, 74, 110],
-  ],
-  duck: [
-    [16, -42, 0],
-    [150, 96, 20],
-  ],
-  cat: [
-    [8, -24, 0],
-    [122, 58, 34],
-  ],
-  rabbit: [
-    [12, -40, 0],
-    [92, 70, 96],
-  ],
-  fish: [
-    [12, -58, 0],
-    [24, 98, 92],
-  ],
-  heart: [
-    [10, -28, 0],
-    [140, 26, 40],
-  ],
-  knot: [
-    [-24, 18, 0],
-    [40, 60, 120],
-  ],
-  star: [
-    [14, 20, 0],
-    [150, 104, 16],
-  ],
-  house: [
-    [22, -38, 0],
-    [120, 52, 36],
-  ],
-  torus: [
-    [48, 12, 0],
-    [30, 92, 72],
-  ],
-  icosahedron: [
-    [12, 20, 0],
-    [70, 62, 120],
-  ],
-  cube: [
-    [26, -34, 0],
-    [70, 78, 88],
-  ],
+const LOOKS = { ...animalColours, ...polyhedronColours };
+
+/** How each model is turned in its thumbnail, in degrees. */
+const VIEWS = {
+  whale: [12, -48, 0],
+  duck: [16, -42, 0],
+  cat: [8, -24, 0],
+  rabbit: [12, -40, 0],
+  fish: [12, -58, 0],
+  heart: [10, -28, 0],
+  knot: [-24, 18, 0],
+  star: [14, 20, 0],
+  house: [22, -38, 0],
+  torus: [48, 12, 0],
+  icosahedron: [12, 20, 0],
+  cube: [26, -34, 0],
 };
 
 function organic({ solid, min, max, step, triangles }) {
@@ -70,31 +39,37 @@ function organic({ solid, min, max, step, triangles }) {
   return mirrorHalf(decimateHalf(fine, triangles / 2));
 }
 
-/** Id, name, mesh and file format of every sample, in the gallery's order. */
+/** Id, name, mesh and parts of every sample, in the gallery's order. */
 function models() {
   return [
-    ...ANIMALS.map((animal) => [animal.id, animal.name, organic(animal), 'obj']),
-    ['knot', 'Knot', triangulate(knot()), 'obj'],
-    ['star', 'Star', star(), 'stl'],
-    ['house', 'House', house(), 'obj'],
-    ['torus', 'Ring', torus(), 'obj'],
-    ['icosahedron', 'Icosahedron', icosahedron(), 'stl'],
-    ['cube', 'Cube', cube(), 'obj'],
+    ...ANIMALS.map((animal) => [animal.id, animal.name, organic(animal), animal.parts]),
+    ['knot', 'Knot', triangulate(knot())],
+    ['star', 'Star', star()],
+    ['house', 'House', house()],
+    ['torus', 'Ring', torus()],
+    ['icosahedron', 'Icosahedron', icosahedron()],
+    ['cube', 'Cube', cube()],
   ];
+}
+
+/** Writes the files of a model. @returns its entry in the catalogue */
+async function writeSample(id, name, mesh, parts) {
+  checkSolid(id, mesh);
+  const [file, library, picture] = ['obj', 'mtl', 'svg'].map((ending) => `${id}.${ending}`);
+  const { colours, ...rules } = LOOKS[id];
+  const materials = paint(mesh, { colours, ...rules }, parts);
+  const ofFaces = materials.map((material) => colours[material]);
+  await writeFile(new URL(file, OUT), toObj(name, mesh, library, materials));
+  await writeFile(new URL(library, OUT), toMtl(name, colours));
+  await writeFile(new URL(picture, OUT), drawThumbnail(mesh, VIEWS[id], ofFaces));
+  return { id, name, file, files: [file, library], picture, faces: mesh.faces.length };
 }
 
 async function main() {
   await rm(OUT, { recursive: true, force: true });
   await mkdir(OUT, { recursive: true });
   const catalog = [];
-  for (const [id, name, mesh, format] of models()) {
-    checkSolid(id, mesh);
-    const file = `${id}.${format}`;
-    const [view, ink] = LOOKS[id];
-    await writeFile(new URL(file, OUT), format === 'stl' ? toStl(mesh) : toObj(name, mesh));
-    await writeFile(new URL(`${id}.svg`, OUT), drawThumbnail(mesh, view, ink));
-    catalog.push({ id, name, file, picture: `${id}.svg`, faces: mesh.faces.length });
-  }
+  for (const model of models()) catalog.push(await writeSample(...model));
   await writeFile(new URL('catalog.json', OUT), `${JSON.stringify(catalog, null, 2)}\n`);
 }
 

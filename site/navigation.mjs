@@ -2,7 +2,14 @@
 export const navigation = [
   {
     title: 'Begin',
-    pages: ['/index.html', '/start.html', '/crafting.html', '/machines.html', '/limits.html'],
+    pages: [
+      '/index.html',
+      '/start.html',
+      '/showcase.html',
+      '/crafting.html',
+      '/machines.html',
+      '/limits.html',
+    ],
   },
   {
     title: 'Use',

@@ -1,6 +1,6 @@
 /**
- * The gallery's organic models as implicit solids, y up and looking towards +z. Each names the box
- * it lives in, the grid that catches its thinnest part, and how many triangles it keeps.
+ * The gallery's organic models as implicit solids, y up and looking towards +z, each with the parts by which its faces
+ * are coloured. Each names the box it lives in, the grid that catches its thinnest part, and how many triangles it keeps.
  */
 import {
   blendUnion,
@@ -30,7 +30,7 @@ function whale() {
   const flipper = ellipsoid([0.98, -0.42, 0.5], [0.58, 0.1, 0.25], [10, 30, -24]);
   const belly = halfSpace([0, -1, 0], 0.56);
   const solid = blendUnion(0.16, body, fluke, flipper);
-  return carve(0.1, solid, (p) => -belly(p));
+  return { solid: carve(0.1, solid, (p) => -belly(p)), parts: { body, fluke, flipper } };
 }
 
 function duck() {
@@ -50,7 +50,10 @@ function duck() {
   const bill = ellipsoid([0, 0.95, 1.22], [0.24, 0.09, 0.32], [6, 0, 0]);
   const wing = ellipsoid([0.68, 0.14, -0.16], [0.14, 0.34, 0.62], [-14, 0, -10]);
   const solid = blendUnion(0.1, blendUnion(0.22, body, neck, head), bill, wing);
-  return carve(0.08, solid, halfSpace([0, 1, 0], -0.48));
+  return {
+    solid: carve(0.08, solid, halfSpace([0, 1, 0], -0.48)),
+    parts: { body, neck, head, bill, wing },
+  };
 }
 
 function cat() {
@@ -62,7 +65,10 @@ function cat() {
   const nose = ellipsoid([0, -0.13, 0.9], [0.12, 0.08, 0.1]);
   const eye = ellipsoid([0.4, 0.1, 0.78], [0.19, 0.13, 0.16], [0, 0, 14]);
   const skull = carve(0.08, blendUnion(0.14, blendUnion(0.3, head, cheek), ear), hollow);
-  return carve(0.06, blendUnion(0.08, skull, muzzle, nose), eye);
+  return {
+    solid: carve(0.06, blendUnion(0.08, skull, muzzle, nose), eye),
+    parts: { head, cheek, ear, hollow, muzzle, nose, eye },
+  };
 }
 
 function rabbit() {
@@ -82,13 +88,16 @@ function rabbit() {
   const ear = ellipsoid([0.24, 1.62, 0.28], [0.15, 0.62, 0.1], [-18, 0, -12]);
   const tail = ellipsoid([0, 0.12, -1.08], [0.24, 0.24, 0.24]);
   const solid = blendUnion(0.12, blendUnion(0.2, body, head), haunch, foot, paw, ear, tail);
-  return carve(0.05, solid, halfSpace([0, 1, 0], -0.66));
+  return {
+    solid: carve(0.05, solid, halfSpace([0, 1, 0], -0.66)),
+    parts: { body, haunch, foot, paw, head, ear, tail },
+  };
 }
 
 function heart() {
   const lobe = ellipsoid([0.46, 0.36, 0], [0.58, 0.66, 0.46], [0, 0, -24]);
   const tip = roundCone([0.36, 0.16, 0], [0, -0.98, 0], 0.46, 0.06);
-  return blendUnion(0.12, lobe, tip);
+  return { solid: blendUnion(0.12, lobe, tip), parts: { lobe, tip } };
 }
 
 function fish() {
@@ -103,10 +112,13 @@ function fish() {
   const fin = ellipsoid([0.5, -0.22, 0.14], [0.09, 0.2, 0.42], [24, -34, 0]);
   const lips = ellipsoid([0, -0.06, 1.28], [0.17, 0.16, 0.14]);
   const eye = ellipsoid([0.36, 0.18, 0.82], [0.1, 0.14, 0.14]);
-  return blendUnion(0.12, blendUnion(0.2, body, stem), tail, dorsal, fin, lips, eye);
+  return {
+    solid: blendUnion(0.12, blendUnion(0.2, body, stem), tail, dorsal, fin, lips, eye),
+    parts: { body, stem, tail, dorsal, fin, lips, eye },
+  };
 }
 
-/** Name, solid, box, grid step and triangles of every organic model. */
+/** Name, solid with its parts, box, grid step and triangles of every organic model. */
 export const ANIMALS = [
   ['whale', 'Whale', whale, [-1.9, -1, -3.2], [1.9, 1.9, 2], 0.075, 420],
   ['duck', 'Duck', duck, [-1.1, -0.9, -1.6], [1.1, 1.7, 1.8], 0.052, 360],
@@ -114,12 +126,7 @@ export const ANIMALS = [
   ['rabbit', 'Rabbit', rabbit, [-1.2, -1, -1.6], [1.2, 2.6, 1.5], 0.06, 560],
   ['fish', 'Fish', fish, [-1, -1.4, -2.3], [1, 1.4, 1.7], 0.052, 380],
   ['heart', 'Heart', heart, [-1.3, -1.4, -0.8], [1.3, 1.3, 0.8], 0.052, 240],
-].map(([id, name, solid, min, max, step, triangles]) => ({
-  id,
-  name,
-  solid: mirrored(solid()),
-  min,
-  max,
-  step,
-  triangles,
-}));
+].map(([id, name, make, min, max, step, triangles]) => {
+  const { solid, parts } = make();
+  return { id, name, solid: mirrored(solid), parts, min, max, step, triangles };
+});

@@ -5,21 +5,20 @@ const SIZE = 160;
 const MARGIN = 10;
 const LIGHT = normalize([-0.45, 0.8, 0.55]);
 
-/** Mixes a paper white towards a shade by how much light a face gets. */
-function shade(light, [r, g, b]) {
-  const lit = Math.max(0, Math.min(1, 0.5 + 0.5 * light));
-  // The lightest shade keeps some of the colour: white faces would be lost on white paper.
-  const channel = (dark) => Math.round(dark + 0.84 * (252 - dark) * lit ** 1.5);
-  const hex = [r, g, b].map((c) => channel(c).toString(16).padStart(2, '0'));
-  return `#${hex.join('')}`;
+/** A colour, `#rrggbb`, darkened or made a little paler by how much light falls on a face. */
+function shade(light, colour) {
+  const lit = Math.max(0, Math.min(1, 0.5 + 0.5 * light)) ** 1.5;
+  const channel = (value) => Math.round(value * (0.76 + 0.24 * lit) + 0.16 * lit * (255 - value));
+  const hex = [1, 3, 5].map((at) => channel(parseInt(colour.slice(at, at + 2), 16)).toString(16));
+  return `#${hex.map((digits) => digits.padStart(2, '0')).join('')}`;
 }
 
 /**
  * @param mesh vertices and polygons
  * @param view Euler angles in degrees that turn the model towards the viewer, who looks along -z
- * @param ink darkest colour, [r, g, b]
+ * @param colours of the faces, `#rrggbb`
  */
-export function drawThumbnail({ vertices, faces }, view, ink) {
+export function drawThumbnail({ vertices, faces }, view, colours) {
   const turned = vertices.map((p) => rotate(rotate(p, [0, view[1], 0]), [view[0], 0, view[2]]));
   const range = (axis) => {
     const values = turned.map((p) => p[axis]);
@@ -33,16 +32,17 @@ export function drawThumbnail({ vertices, faces }, view, ink) {
       .join(' ');
   const visible = faces
     .map((face) => face.map((v) => turned[v]))
-    .map((corners) => ({
+    .map((corners, i) => ({
       corners,
+      colour: colours[i],
       normal: normalize(triangleNormal(...corners)),
       depth: corners.reduce((sum, p) => add(sum, scale(p, 1 / corners.length)), [0, 0, 0])[2],
     }))
     .filter(({ normal }) => normal[2] > 0)
     .sort((a, b) => a.depth - b.depth);
-  const paths = visible.map(({ corners, normal }) => {
-    const colour = shade(dot(normal, LIGHT), ink);
-    return `<path fill="${colour}" stroke="${colour}" d="M${corners.map(place).join('L')}z"/>`;
+  const paths = visible.map(({ corners, normal, colour }) => {
+    const shown = shade(dot(normal, LIGHT), colour);
+    return `<path fill="${shown}" stroke="${shown}" d="M${corners.map(place).join('L')}z"/>`;
   });
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${SIZE} ${SIZE}"`,

@@ -21,7 +21,9 @@ export const scenes = {
   stud: { model: 'box with a stud', options: { height: 40 } },
   drum: { model: 'drum', options: { height: 30 } },
   painted: { model: 'painted', options: { height: 40 } },
-  star: { model: 'star', options: { up: 'y' } },
+  house: { model: 'house', options: {} },
+  // Its own colours would draw the eye away from the lines.
+  star: { model: 'star', options: { up: 'y', texture: 'off' } },
   heart: { model: 'heart', options: { faces: 80, parts: 3, height: 80, colour: 'part' } },
   rabbit: { model: 'rabbit', options: { faces: 160, parts: 6, height: 120, colour: 'part' } },
 };
@@ -88,7 +90,7 @@ export const effects = {
   measured: shows('box', ['off', '49,50'], 'ruler'),
   machine: shows('box', ['none', 'silhouette', 'cricut'], 'head'),
   dpi: 'It is the number of dots of pictures; lines of SVG and PDF files have none.',
-  texture: shows('painted', ['on', 'off']),
-  colour: shows('rabbit', ['none', 'part'], 'sheet'),
+  texture: shows('house', ['on', 'off']),
+  colour: shows('rabbit', ['none', 'part'], 'sheet', { texture: 'off' }),
   'flap-bleed': shows('painted', ['half', 'none', 'whole'], corner),
 };

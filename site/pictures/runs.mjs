@@ -15,8 +15,8 @@ function filesOf(model) {
   if (tiny) {
     return Object.entries(tiny).map(([name, text]) => ({ name, bytes: Buffer.from(text) }));
   }
-  const { file: name } = catalog.find(({ id }) => id === model);
-  return [{ name, bytes: readFileSync(join(samples, name)) }];
+  const { files } = catalog.find(({ id }) => id === model);
+  return files.map((name) => ({ name, bytes: readFileSync(join(samples, name)) }));
 }
 
 export class Runs {

@@ -18,6 +18,8 @@ test('an address asks for a model with options', () =>
     expect(await page.locator('#sizing').inputValue()).toBe('height');
     expect(await page.locator('#size').inputValue()).toBe('80');
     expect(await page.locator('#result-lead').innerText()).toContain('5 parts');
+    // The materials that the model names were fetched from beside it.
+    expect(await page.locator('#looks').isVisible()).toBe(true);
     expect(studio.complaints).toEqual([]);
   }));
 

@@ -61,6 +61,9 @@ test('parts can be told apart by hatches', () =>
     const { page } = studio;
     await studio.chooseSample('Heart');
     await studio.resultOf('heart');
+    // Sheets in the colours of the model show no parts.
+    await page.getByLabel('Colours on paper').selectOption('none');
+    await page.locator('.sheet [data-layer="texture"]').first().waitFor({ state: 'detached' });
     expect(await page.locator('.sheet .hatch').first().isVisible()).toBe(false);
     await page.locator('#hatch').check();
     expect(await page.locator('.sheet .hatch').first().isVisible()).toBe(true);

@@ -127,6 +127,9 @@ test('styles, hatches, keyboard, keys and drops of a studio are its own', () =>
     const ids = await page.evaluate(() => document.querySelectorAll('[id]').length);
     expect(ids).toBe(5);
 
+    // Sheets in the colours of the model show no parts.
+    await two.locator('#print-colours').selectOption('none');
+    await two.locator('.hatch').first().waitFor({ state: 'attached' });
     await two.locator('#hatch').check();
     expect(await two.locator('.hatch').first().isVisible()).toBe(true);
     expect(await one.locator('.hatch').first().isVisible()).toBe(false);

@@ -112,7 +112,8 @@ test('every file of the build is kept, and a reload with options in the address 
       .locator('.sample')
       .evaluateAll((buttons) => buttons.map((button) => (button as HTMLButtonElement).value));
     expect(names.length).toBeGreaterThan(5);
-    for (const name of names) {
+    const materials = names.map((name) => name.replace(/\.obj$/, '.mtl'));
+    for (const name of [...names, ...materials]) {
       const size = await studio.page.evaluate(
         async (file) => (await (await fetch(`samples/${file}`)).arrayBuffer()).byteLength,
         name,

@@ -16,6 +16,9 @@ test('a sample becomes nets on sheets, and all three files are real', () =>
     await page.fill('#parts', '2');
     await studio.chooseSample('Heart');
     await studio.resultOf('heart');
+    // Its materials have come along.
+    expect(await page.locator('#looks').isVisible()).toBe(true);
+    expect(await page.locator('.sheet [data-layer="texture"]').count()).toBeGreaterThan(0);
     const sheets = await page.locator('.sheet svg').count();
     expect(sheets).toBeGreaterThan(0);
     expect(await page.locator('.sheet [data-layer="cut"] path').count()).toBeGreaterThan(0);

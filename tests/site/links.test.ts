@@ -11,7 +11,7 @@ const isForeign = (link: string): boolean => /^[a-z]+:/.test(link);
 function faultOf(page: string, link: string): string | null {
   if (isForeign(link)) return /^(https|mailto):/.test(link) ? null : 'an address of no known kind';
   if (link.startsWith('/')) return 'not relative';
-  const [path, anchor] = link.split('#') as [string, string?];
+  const [path, anchor] = link.replace(/\?[^#]*/, '').split('#') as [string, string?];
   const target = path === '' ? page : posix.normalize(posix.join(posix.dirname(page), path));
   if (!existsSync(join(site, target))) return 'no such file';
   const html = pages.get(target);

@@ -19,6 +19,7 @@ const models = {
   'house.fold': 'build/site/models/house.fold',
   // Of few faces, since it is unfolded.
   'models/whale.obj': 'dist/studio/samples/house.obj',
+  'models/house.mtl': 'dist/studio/samples/house.mtl',
 };
 
 /** Keeps what the page complains of from now on. */

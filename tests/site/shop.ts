@@ -23,8 +23,13 @@ const programs = {
     for value in "$@"; do sh -ec "$(printf %s "$line" | sed "s/{}/$value/g")" || exit; done`,
 };
 
-/** Models of few faces, under the names that examples use. */
-const models = { 'house.obj': 'house.obj', 'animals/whale.obj': 'cube.obj' };
+/** Models of few faces, under the names that examples use, and the materials that they name. */
+const models = {
+  'house.obj': 'house.obj',
+  'house.mtl': 'house.mtl',
+  'animals/whale.obj': 'cube.obj',
+  'animals/cube.mtl': 'cube.mtl',
+};
 
 async function addPrograms(folder: string): Promise<void> {
   await mkdir(join(folder, 'bin'));

@@ -7,6 +7,7 @@ import {
 import type { Words } from '../words/words.js';
 import type { ReadProject } from '../project/project.js';
 import type { FoldedNets } from '../read/fold/folded-nets.js';
+import { fetchNamed } from './fetch-named.js';
 
 /** A project as this browser has kept it. */
 export interface Kept {
@@ -76,8 +77,8 @@ function isElsewhere(address: string, base: string): boolean {
 }
 
 /**
- * Fetches a model from an address, which may be relative to `base`. Throws UnusableChoice for one that is not
- * there, empty or too large.
+ * Fetches a model from an address, which may be relative to `base`, and the files that it names from beside it. Throws
+ * UnusableChoice for one that is not there, empty or too large.
  */
 export async function fetchModelFile(
   address: string,
@@ -85,16 +86,23 @@ export async function fetchModelFile(
   signal: AbortSignal,
 ): Promise<ChosenModel> {
   const name = fileNameOf(address);
+  const unloaded = (): never => {
+    const words = isElsewhere(address, base) ? 'notLetIn' : 'notLoaded';
+    throw new UnusableChoice(({ choice }) => choice[words](name));
+  };
   let bytes: Blob;
   try {
     const response = await fetch(new URL(address, base), { signal });
     if (!response.ok) throw new Error(response.statusText);
     bytes = await response.blob();
   } catch {
-    const words = isElsewhere(address, base) ? 'notLetIn' : 'notLoaded';
-    throw new UnusableChoice(({ choice }) => choice[words](name));
+    return unloaded();
   }
-  return readModelFiles([{ path: name, file: new File([bytes], name) }]);
+  const { files, ...chosen } = await readModelFiles([
+    { path: name, file: new File([bytes], name) },
+  ]);
+  const named = await fetchNamed(files[0]!, new URL(address, base), signal).catch(unloaded);
+  return { ...chosen, files: [...files, ...named] };
 }
 
 async function readFile({ path, file }: PickedFile): Promise<ModelFile> {

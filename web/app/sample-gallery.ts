@@ -1,5 +1,6 @@
 import addresses from 'virtual:sample-addresses';
 import { difficultyOf } from '../model/building-time.js';
+import type { ModelFile } from '../model/model-files.js';
 import type { Words } from '../words/words.js';
 import { make } from './dom.js';
 import { UnusableChoice, type ChosenModel } from './model-file.js';
@@ -10,7 +11,10 @@ import type { StudioPlace } from './place.js';
 interface Sample {
   id: string;
   name: string;
+  /** The model. */
   file: string;
+  /** The model and its materials. */
+  files: string[];
   picture: string;
   faces: number;
   /** What it takes to build it as it comes, if the engine has been asked: see `scripts/time-samples.mjs`. */
@@ -43,10 +47,13 @@ async function fetchSample(name: string): Promise<Response> {
   return response;
 }
 
-async function readSample({ file }: Sample): Promise<ChosenModel> {
-  const response = await fetchSample(file);
-  const bytes = new Uint8Array(await response.arrayBuffer());
-  return { name: file, files: [{ name: file, bytes }] };
+async function readFile(name: string): Promise<ModelFile> {
+  const response = await fetchSample(name);
+  return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
+}
+
+async function readSample({ file, files }: Sample): Promise<ChosenModel> {
+  return { name: file, files: await Promise.all(files.map(readFile)) };
 }
 
 /** The pictures of the samples; one press chooses a sample. */
