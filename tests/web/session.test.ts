@@ -15,16 +15,12 @@ import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
 import { objText, wavyRing } from './model-text.js';
 import { readRenderer } from './printed.js';
-import { Dice, randomEdit } from './random-edits.js';
 import { schemaErrors } from './report-schema.js';
 import { isEngineBuilt, withThreads } from './thread-pool.js';
 
 const bytes = new TextEncoder().encode(objText(wavyRing(10)));
 const files = [{ name: 'models/ring.obj', bytes }];
 const options = { parts: 4, height: 60, compact: 'off', runs: 40 } as const;
-
-/** More of them take minutes; `EDITS` asks for so many on each of the seeds. */
-const editCount = Number(process.env['EDITS'] ?? 25);
 
 const fonts = new URL('../../dist/cli/fonts/', import.meta.url);
 const readFont = async (file: string): Promise<Uint8Array> => readFile(new URL(file, fonts));
@@ -363,30 +359,4 @@ describe.skipIf(!isEngineBuilt)('a session', () => {
       await expect(attempt({ height: 10, width: 10 })).rejects.toThrow('given by');
       await expect(attempt({ margin: 200 })).rejects.toThrow('leave nothing');
     }));
-
-  it('stays sound over random edits and undos, whoever works on them', async () => {
-    const results: string[] = [];
-    for (const size of [1, 2]) {
-      await withSession(async (session) => {
-        const dice = new Dice(7);
-        const first = await foldText(session);
-        for (let i = 0; i < editCount; ++i) {
-          const chance = dice.roll();
-          if (chance < 0.1) session.undo();
-          else if (chance < 0.15) session.redo();
-          else await session.apply(randomEdit(dice, await session.result()));
-          const text = await foldText(session);
-          expect(
-            checkFold(parseFold(text)),
-            `edit ${i}: ${JSON.stringify(session.edits.at(-1))}`,
-          ).toEqual([]);
-        }
-        expect(schemaErrors(session.report)).toEqual([]);
-        results.push(session.report.result_hash);
-        while (session.undo());
-        expect(await foldText(session)).toBe(first);
-      }, size);
-    }
-    expect(results[0]).toBe(results[1]);
-  }, 600_000);
 });

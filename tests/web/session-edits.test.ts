@@ -1,0 +1,85 @@
+/** Documents under many edits that nobody would make. */
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { makeDoor } from '../../web/api/door.js';
+import type { Session } from '../../web/api/session.js';
+import type { ModelFile } from '../../web/model/model-files.js';
+import { checkFold } from './fold-check.js';
+import { parseFold } from './fold-file.js';
+import { objText, wavyRing } from './model-text.js';
+import { Dice, randomEdit } from './random-edits.js';
+import { schemaErrors } from './report-schema.js';
+import { isEngineBuilt, withThreads } from './thread-pool.js';
+
+const options = { parts: 4, height: 60, compact: 'off', runs: 40 } as const;
+
+/** More of them take minutes; `EDITS` asks for so many on each model, with one worker and with two. */
+const editCount = Number(process.env['EDITS'] ?? 9);
+
+const corpus = new URL('../data/corpus/', import.meta.url);
+const own = (name: string): ModelFile => ({ name, bytes: readFileSync(new URL(name, corpus)) });
+const models: ModelFile[] = [
+  { name: 'ring.obj', bytes: new TextEncoder().encode(objText(wavyRing(10))) },
+  own('rabbit.stl'),
+  own('house-with-lid.obj'),
+];
+
+async function foldText(session: Session): Promise<string> {
+  const [file] = await session.export('fold');
+  return new TextDecoder().decode(file!.bytes);
+}
+
+/** What is wrong with the present result. */
+async function faultsOf(session: Session): Promise<string[]> {
+  const { labels, model, pieces } = await session.result();
+  const faces = pieces.flatMap(({ sources }) => [...sources]).sort((a, b) => a - b);
+  const all = Array.from({ length: model.faces.length / 3 }, (_, face) => face);
+  const faults = checkFold(parseFold(await foldText(session)));
+  if (String(faces) !== String(all)) faults.push('not every face is in one piece');
+  for (const { name, part, sources, flaps, assignments } of pieces) {
+    if (sources.some((face) => labels[face] !== part)) faults.push(`${name} has faces of others`);
+    if (flaps.edges.some((edge) => assignments[edge] !== 'B')) faults.push(`${name} glues a fold`);
+  }
+  return faults;
+}
+
+/** Makes random edits and undos, each of which must leave a sound document; gives the hash of the last result. */
+async function scramble(session: Session, seed: number): Promise<string> {
+  const dice = new Dice(seed);
+  const first = await foldText(session);
+  for (let i = 0; i < editCount; ++i) {
+    const chance = dice.roll();
+    if (chance < 0.1) session.undo();
+    else if (chance < 0.15) session.redo();
+    else await session.apply(randomEdit(dice, await session.result()));
+    const what = `seed ${seed}, edit ${i}: ${JSON.stringify(session.edits.at(-1))}`;
+    expect(await faultsOf(session), what).toEqual([]);
+  }
+  expect(schemaErrors(session.report)).toEqual([]);
+  const hash = session.report.result_hash;
+  while (session.undo());
+  expect(await foldText(session)).toBe(first);
+  return hash;
+}
+
+describe.skipIf(!isEngineBuilt)('a session under random edits and undos', () => {
+  it.each(models.map((file, seed) => ({ file, seed: seed + 7, name: file.name })))(
+    'stays sound, whoever works on $name',
+    async ({ file, seed }) => {
+      const hashes: string[] = [];
+      for (const size of [1, 2]) {
+        await withThreads(size, async (pool) => {
+          const session = await makeDoor({
+            startPool: () => pool,
+            loadFont: () => Promise.reject(new Error('FOLD has no letters')),
+            loadRenderer: () => Promise.reject(new Error('FOLD has no pictures')),
+          }).open([file], { pool });
+          await session.run(options);
+          hashes.push(await scramble(session, seed));
+        });
+      }
+      expect(hashes[0]).toBe(hashes[1]);
+    },
+    3_600_000,
+  );
+});
