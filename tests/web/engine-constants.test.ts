@@ -7,7 +7,9 @@ import { capHeight } from '../../web/export/text-line.js';
 /** The number that a constant has in the engine's source. */
 function engineConstant(file: string, name: string): number {
   const path = new URL(`../../cpp/${file}`, import.meta.url);
-  const value = new RegExp(`constexpr double ${name} = ([\\d.]+);`).exec(readFileSync(path, 'utf8'));
+  const value = new RegExp(`constexpr double ${name} = ([\\d.]+);`).exec(
+    readFileSync(path, 'utf8'),
+  );
   expect(value, `${name} in ${file}`).not.toBeNull();
   return Number(value![1]);
 }
