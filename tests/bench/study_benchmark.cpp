@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     JobState state = learn_model(model.file, {.parts = {.count = wanted}});
     const Mesh& mesh = state.model.surface->mesh;
     for (const Segmenter segmenter : {Segmenter::kShape, Segmenter::kFoldability}) {
-      state.options.segmenter = segmenter;
+      state.options.parts.segmenter = segmenter;
       scores[segmenter == Segmenter::kShape ? kShapeToo : kPaperOnly].add(
           model, mesh, on_file(mesh, parts_of(state, wanted), model.face_count()));
     }
