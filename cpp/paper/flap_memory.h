@@ -8,7 +8,7 @@
 namespace foldwright {
 
 /// Flaps that were placed lately. Names, pins and most options of paper leave them as they are, and
-/// placing them takes a third of such an edit. Holds 16 MiB at most, but for a larger last one;
+/// placing them takes two fifths of such an edit. Holds 16 MiB at most, but for a larger last one;
 /// what was not asked for lately goes first.
 class FlapMemory {
  public:

@@ -8,17 +8,6 @@
 namespace foldwright::testing {
 namespace {
 
-/// The six sides of a cube of 40 mm.
-std::vector<Net> sides_of(const Mesh& mesh) {
-  const DualGraph graph = build_dual_graph(mesh);
-  std::vector<Net> nets;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
-    for (Vec2& p : nets.back().vertices) p *= 40;
-  }
-  return nets;
-}
-
 std::vector<double> heights_of(const FlapPlan& plan) {
   std::vector<double> heights;
   for (const std::vector<Flap>& flaps : plan.flaps) {
@@ -33,7 +22,7 @@ std::vector<double> heights_of(const FlapPlan& plan) {
 
 TEST(FlapMemory, GivesTheFlapsThatWouldBePlaced) {
   const Mesh mesh = cube();
-  std::vector<Net> nets = sides_of(mesh);
+  std::vector<Net> nets = squares_of(mesh);
   FlapMemory memory;
   const auto expect_same = [&](const FlapOptions& options) {
     for (int again = 0; again < 2; ++again) {
@@ -60,7 +49,7 @@ TEST(FlapMemory, GivesTheFlapsThatWouldBePlaced) {
 
 TEST(FlapMemory, TellsWhatFlapsKeepOff) {
   const Mesh mesh = cube();
-  const std::vector<Net> nets = sides_of(mesh);
+  const std::vector<Net> nets = squares_of(mesh);
   FlapMemory memory;
   const FlapPlan free = memory.place(mesh, nets, {});
   const std::vector<Vec2> below = {{-90, -90}, {90, -90}, {90, 0}, {-90, 0}};

@@ -35,18 +35,6 @@ std::vector<Vec2> ink(const Label& label) {
   return {c - x - y, c + x - y, c + x + y, c - x + y};
 }
 
-/// The six sides of a cube, each a piece.
-std::vector<Net> squares_of_cube() {
-  const Mesh mesh = cube();
-  const DualGraph graph = build_dual_graph(mesh);
-  std::vector<Net> nets;
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
-    for (Vec2& p : nets.back().vertices) p *= 40;
-  }
-  return nets;
-}
-
 /// Whether the segment passes through the polygon, by sampling it finely.
 bool crosses(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
   for (int i = 0; i <= 400; ++i) {
@@ -206,7 +194,7 @@ TEST(NameSeams, CountsAlongTheOutline) {
 }
 
 TEST(NameSeams, CountsForEachPairOfPieces) {
-  const std::vector<Net> nets = squares_of_cube();
+  const std::vector<Net> nets = squares_of(cube());
   const std::vector<std::string> names = {"A", "Lid", "C2", "D", "E", "F"};
   const std::vector<Seam> seams = find_seams(nets);
   const std::vector<SeamId> ids = name_seams(nets, names, seams);
@@ -227,7 +215,7 @@ TEST(NameSeams, CountsForEachPairOfPieces) {
 
 TEST(PlaceLabels, NameTheOtherPiece) {
   const Mesh mesh = cube();
-  const std::vector<Net> nets = squares_of_cube();
+  const std::vector<Net> nets = squares_of(cube());
   const FlapPlan flaps = place_flaps(mesh, nets, {});
   const LabelPlan plan = labelled(nets, flaps.flaps, IdPlace::kInside);
   EXPECT_EQ(plan.printed, 12);

@@ -11,14 +11,10 @@ namespace {
 
 /// Labels of the six sides of a cube of 40 mm, the first one under this name.
 LabelPlan labelled(const std::string& first, TextMemory* memory) {
-  const Mesh mesh = cube();
-  const DualGraph graph = build_dual_graph(mesh);
-  std::vector<Net> nets;
+  const std::vector<Net> nets = squares_of(cube());
   std::vector<std::string> names = {first};
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    nets.push_back(make_net(mesh, restrict_to(graph, std::array{panel}), {}));
-    for (Vec2& p : nets.back().vertices) p *= 40;
-    if (panel > 0) names.push_back(piece_letter(panel));
+  for (int piece = 1; piece < static_cast<int>(nets.size()); ++piece) {
+    names.push_back(piece_letter(piece));
   }
   const std::vector<std::vector<Flap>> flaps(nets.size());
   LabelTask task = {nets, flaps, names, IdPlace::kInside};

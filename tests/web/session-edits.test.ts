@@ -6,6 +6,7 @@ import type { Session } from '../../web/api/session.js';
 import type { ModelFile } from '../../web/model/model-files.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
+import { foldText } from './fold-text.js';
 import { objText, wavyRing } from './model-text.js';
 import { Dice, randomEdit } from './random-edits.js';
 import { schemaErrors } from './report-schema.js';
@@ -23,11 +24,6 @@ const models: ModelFile[] = [
   own('rabbit.stl'),
   own('house-with-lid.obj'),
 ];
-
-async function foldText(session: Session): Promise<string> {
-  const [file] = await session.export('fold');
-  return new TextDecoder().decode(file!.bytes);
-}
 
 /** What is wrong with the present result. */
 async function faultsOf(session: Session): Promise<string[]> {

@@ -13,6 +13,7 @@ import { SheetEdges } from '../../web/model/sheet-edges.js';
 import { flapAt } from '../../web/model/sheet-flaps.js';
 import { checkFold } from './fold-check.js';
 import { parseFold } from './fold-file.js';
+import { foldText } from './fold-text.js';
 import { objText, wavyRing } from './model-text.js';
 import { readRenderer } from './printed.js';
 import { schemaErrors } from './report-schema.js';
@@ -37,11 +38,6 @@ async function withSession(
     await session.run(options);
     await work(session, pool);
   });
-}
-
-async function foldText(session: Session): Promise<string> {
-  const [file] = await session.export('fold');
-  return new TextDecoder().decode(file!.bytes);
 }
 
 async function made(session: Session, edit: DocumentEdit): Promise<Applied> {

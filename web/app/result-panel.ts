@@ -172,16 +172,23 @@ export class ResultPanel extends Panel {
     this.remarks.hidden = remarks.length === 0;
   }
 
-  /** The sheets of another result of the same model, drawn as those on the page are. */
+  /** The sheets of the result on the page, or of another one of the same model, drawn as those on the page are. */
   async sheetsOf(result: JobResult): Promise<HTMLLIElement[]> {
     const shown = this.shownRun;
     if (!shown) return [];
     const { model, settings } = shown.run;
     const source = { result, name: stem(model.name), margin: settings.margin };
-    const writer = new ResultWriter(this.host, source, shown.writer.options);
-    const sources = await Promise.all(result.sheets.map((_, sheet) => writer.sheet(sheet)));
-    writer.close();
-    return sources.map((svg, index) => drawSheet(partsOf(this.told, result, index, svg)));
+    // The worker that writes has the result on the page already.
+    const isShown = result === shown.run.result;
+    const writer = isShown
+      ? shown.writer
+      : new ResultWriter(this.host, source, shown.writer.options);
+    try {
+      const sources = await Promise.all(result.sheets.map((_, sheet) => writer.sheet(sheet)));
+      return sources.map((svg, index) => drawSheet(partsOf(this.told, result, index, svg)));
+    } finally {
+      if (!isShown) writer.close();
+    }
   }
 
   /** All pages of the result as they are printed now. */
