@@ -10,6 +10,7 @@
 #include "pipeline/job.h"
 #include "pipeline/wire.h"
 #include "start.h"
+#include "uniter.h"
 #include "values.h"
 
 namespace {
@@ -25,6 +26,7 @@ EMSCRIPTEN_DECLARE_VAL_TYPE(StartValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(EventsValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(TaskValue);
 EMSCRIPTEN_DECLARE_VAL_TYPE(WordsValue);
+EMSCRIPTEN_DECLARE_VAL_TYPE(UniterValue);
 
 EventsValue to_values(const foldwright::Events& events) {
   val array = val::array();
@@ -149,6 +151,9 @@ SurfaceHandle* create_surface(const BytesValue& bytes) {
   return new SurfaceHandle(foldwright::decode_surface(bytes_from(bytes)));
 }
 
+/// Lends all jobs to come a function that unites bodies.
+void set_uniter(const UniterValue& unite) { memory()->uniter = foldwright::uniter_from(unite); }
+
 /// The codes of all messages, for a test of the table of sentences.
 WordsValue message_codes() {
   val codes = val::array();
@@ -174,6 +179,7 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::register_type<TaskValue>(
       "{ id: number; surface: number; bytes: Uint8Array } | undefined");
   emscripten::register_type<WordsValue>("string[]");
+  emscripten::register_type<UniterValue>("import('../../model/solids.js').SolidUniter");
   emscripten::class_<JobHandle>("Job")
       .function("step", &JobHandle::step)
       .function("advance", &JobHandle::advance)
@@ -193,5 +199,6 @@ EMSCRIPTEN_BINDINGS(foldwright) {
   emscripten::function("createJob", &create_job, allow_raw_pointers());
   emscripten::function("createSurface", &create_surface, allow_raw_pointers());
   emscripten::function("messageCodes", &message_codes);
+  emscripten::function("setUniter", &set_uniter);
   emscripten::function("createTask", &create_task, allow_raw_pointers());
 }

@@ -98,6 +98,7 @@ JobOptions options_from(const val& object) {
   options.model.up = from_name<Up>(kUps, word(object["up"]));
   options.model.fill_holes = object["fillHoles"].as<double>();
   options.model.drop_inner = object["dropInner"].as<bool>();
+  options.model.unite = object["unite"].as<bool>();
   options.paper.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.paper.size.value = object["size"].as<double>();
   options.paper.size.unit = from_name<Unit>(kUnits, word(object["unit"]));

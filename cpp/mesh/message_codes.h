@@ -50,6 +50,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "lost-picture-places",
     "merged-two-sided",
     "missing-endsolid",
+    "not-united",
     "open-border",  // also an edit that cannot be made
     "open-holes",
     "other-format",
@@ -60,6 +61,7 @@ inline constexpr std::array kMessageCodes = std::to_array<std::string_view>({
     "trailing-lines",
     "triangulated-polygons",
     "unfilled-holes",
+    "united-bodies",
     "welded-vertices",
     "wrong-count",
     // What cannot be done with a model.

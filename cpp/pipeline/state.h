@@ -78,12 +78,13 @@ struct Component {
 /// A component of some panels of the model, ascending. \pre they are connected
 Component make_component(const DualGraph& model, std::vector<int> panels);
 
-/// What jobs remember for those that come after them in the same worker: with it results are the
-/// same, and sooner there.
+/// What jobs in the same worker share. What they remember for those that come after them changes no
+/// result, which is only sooner there.
 struct JobMemory {
   ModelMemory model;
   FlapMemory flaps;
   TextMemory texts;
+  SolidUniter uniter;  ///< what the host lends them to unite bodies; empty where it has none
 };
 
 /// The model as it was read and repaired; no stage changes it.

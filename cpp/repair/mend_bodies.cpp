@@ -47,52 +47,69 @@ std::vector<FileWinding> file_windings(const TriangleSoup& soup, const std::vect
 /// Turns those bodies inwards again that the file winds against the one that they lie in: they are
 /// cavities, whose paper shows its printed side to the hollow. A file that winds all its faces
 /// inwards does so by mistake, and one that winds a body both ways says nothing.
-void keep_cavities(TriangleSoup& soup, const std::vector<int>& bodies,
-                   const std::vector<int>& outermost, std::vector<char>& turned) {
-  const std::vector<FileWinding> windings = file_windings(soup, bodies, turned, outermost.size());
-  const auto is_cavity = [&](int body) {
+void keep_cavities(TriangleSoup& soup, BodyWork& work, std::vector<char>& turned) {
+  const std::vector<int>& outermost = work.outermost;
+  const std::vector<FileWinding> windings =
+      file_windings(soup, work.bodies, turned, outermost.size());
+  const auto is_cavity = [&](std::size_t body) {
     if (outermost[body] == -1) return false;
     const FileWinding own = windings[body];
     const FileWinding around = windings[outermost[body]];
     return own != around && own != FileWinding::kMixed && around != FileWinding::kMixed;
   };
+  for (std::size_t body = 0; body < outermost.size(); ++body) {
+    if (is_cavity(body)) work.cavity_of[body] = outermost[body];
+  }
   std::vector<char> in_cavity(turned.size(), false);
-  for (int f = 0; f < soup.face_count(); ++f) in_cavity[f] = is_cavity(bodies[f]);
+  for (int f = 0; f < soup.face_count(); ++f) {
+    in_cavity[f] = work.cavity_of[work.bodies[f]] != -1;
+  }
   turn_faces(soup, in_cavity);
   for (std::size_t f = 0; f < turned.size(); ++f) turned[f] ^= in_cavity[f];
 }
 
-/// Leaves out the bodies that lie in others.
-void drop_inner_bodies(TriangleSoup& soup, const std::vector<int>& bodies,
-                       const std::vector<int>& outermost, Crossings& crossings,
-                       std::vector<char>& turned) {
-  const auto is_inner = [&](int body) { return outermost[body] != -1; };
-  std::erase_if(crossings.pairs,
+}  // namespace
+
+int BodyWork::inner() const {
+  return static_cast<int>(std::ranges::count_if(outermost, [](int body) { return body != -1; }));
+}
+
+int BodyWork::unitable() const {
+  return static_cast<int>(std::ranges::count_if(crossings.pairs, [&](const auto& pair) {
+    return closed[pair.first] && closed[pair.second];
+  }));
+}
+
+BodyWork mend_bodies(TriangleSoup& soup, std::vector<char>& turned) {
+  BodyWork work;
+  work.bodies = find_bodies(soup);
+  work.crossings = find_crossings(soup, work.bodies);
+  if (!work.crossings.checked) return work;
+  work.outermost = find_nesting(soup, work.bodies, work.crossings.pairs);
+  work.cavity_of.assign(work.outermost.size(), -1);
+  work.closed.assign(work.outermost.size(), true);
+  for (const int h : border_half_edges(soup)) work.closed[work.bodies[h / 3]] = false;
+  if (work.inner() > 0) keep_cavities(soup, work, turned);
+  return work;
+}
+
+void drop_inner_bodies(TriangleSoup& soup, BodyWork& work, std::vector<char>& turned) {
+  const auto is_inner = [&](int body) { return work.outermost[body] != -1; };
+  std::erase_if(work.crossings.pairs,
                 [&](const auto& pair) { return is_inner(pair.first) || is_inner(pair.second); });
-  std::erase_if(crossings.bodies, is_inner);
+  std::erase_if(work.crossings.bodies, is_inner);
   std::vector<char> keep;
   std::vector<char> turned_left;
+  std::vector<int> bodies_left;
   for (int f = 0; f < soup.face_count(); ++f) {
-    keep.push_back(!is_inner(bodies[f]));
-    if (keep.back()) turned_left.push_back(turned[f]);
+    keep.push_back(!is_inner(work.bodies[f]));
+    if (!keep.back()) continue;
+    turned_left.push_back(turned[f]);
+    bodies_left.push_back(work.bodies[f]);
   }
   keep_only(soup, keep);
   turned = std::move(turned_left);
-}
-
-}  // namespace
-
-BodyWork mend_bodies(TriangleSoup& soup, bool drop_inner, std::vector<char>& turned) {
-  const std::vector<int> bodies = find_bodies(soup);
-  BodyWork work{.crossings = find_crossings(soup, bodies)};
-  if (!work.crossings.checked) return work;
-  const std::vector<int> outermost = find_nesting(soup, bodies, work.crossings.pairs);
-  work.inner =
-      static_cast<int>(std::ranges::count_if(outermost, [](int around) { return around != -1; }));
-  if (work.inner == 0) return work;
-  keep_cavities(soup, bodies, outermost, turned);
-  if (drop_inner) drop_inner_bodies(soup, bodies, outermost, work.crossings, turned);
-  return work;
+  work.bodies = std::move(bodies_left);
 }
 
 }  // namespace foldwright

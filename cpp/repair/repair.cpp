@@ -20,6 +20,7 @@
 #include "repair/split_nonmanifold.h"
 #include "repair/t_junctions.h"
 #include "repair/triangulate_soup.h"
+#include "repair/unite_bodies.h"
 #include "repair/weld.h"
 
 namespace foldwright {
@@ -263,18 +264,48 @@ void report_manifold(const TriangleSoup& triangles, const ManifoldWork& work,
   report(model, "cut-nonorientable", work.contradictions);
 }
 
-/// Winds cavities, and leaves out bodies inside others if that is asked for.
-BodyWork sort_bodies(TriangleSoup& triangles, const RepairOptions& options,
-                     std::vector<char>& turned, RepairedModel& model) {
+/// Leaves out bodies inside others if that is asked for, or tells of them.
+void sort_out_inner(TriangleSoup& triangles, const RepairOptions& options, BodyWork& bodies,
+                    std::vector<char>& turned, RepairedModel& model) {
+  const int inner = bodies.inner();
+  if (!options.drop_inner || inner == 0) return report(model, "inner-bodies", inner);
   const int before = count_sources(triangles, model.source_face_count, nullptr);
-  BodyWork work = mend_bodies(triangles, options.drop_inner, turned);
+  drop_inner_bodies(triangles, bodies, turned);
   const int left = count_sources(triangles, model.source_face_count, nullptr);
-  if (options.drop_inner) {
-    report(model, "dropped-inner-bodies", work.inner, {{"faces", before - left}});
+  report(model, "dropped-inner-bodies", inner, {{"faces", before - left}});
+}
+
+/// Makes one surface of bodies that run through each other.
+void unite_crossing_bodies(TriangleSoup& triangles, const Frame& frame, const BodyWork& bodies,
+                           const RepairOptions& options, RepairedModel& model) {
+  const int before = count_sources(triangles, model.source_face_count, nullptr);
+  const UnitedBodies result = unite_bodies(triangles, bodies, options.uniter);
+  // Where surfaces nearly touch, they are cut into faces without an area.
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  FaceDropper dropper(model.source_face_count, tolerance);
+  const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
+  model.largest_move += frame.in_model_units(junctions.moved);
+  const int left = count_sources(triangles, model.source_face_count, nullptr);
+  report(model, "united-bodies", result.united, {{"faces", before - left}});
+  report(model, "not-united", result.apart);
+}
+
+/// Makes an oriented manifold of the faces, and mends how its bodies lie.
+BodyWork mend_surface(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
+                      RepairedModel& model) {
+  ManifoldWork manifold = make_manifold(triangles);
+  BodyWork bodies = mend_bodies(triangles, manifold.turned);
+  if (options.unite && !bodies.crossings.pairs.empty()) {
+    report_manifold(triangles, manifold, model);
+    unite_crossing_bodies(triangles, frame, bodies, options, model);
+    std::vector<char> turned = make_manifold(triangles).turned;
+    bodies = mend_bodies(triangles, turned);
+    sort_out_inner(triangles, options, bodies, turned, model);
   } else {
-    report(model, "inner-bodies", work.inner);
+    sort_out_inner(triangles, options, bodies, manifold.turned, model);
+    report_manifold(triangles, manifold, model);
   }
-  return work;
+  return bodies;
 }
 
 /// Drops unused vertices and goes back to the model's units, with the bounding box's centre at the
@@ -303,11 +334,13 @@ void finish_mesh(TriangleSoup&& triangles, const Frame& frame, RepairedModel& mo
 }
 
 /// Tells what the mesh is, where people may not know or may have meant something else.
-void report_shape(RepairedModel& model, const RepairOptions& options, const Crossings& crossings) {
+void report_shape(RepairedModel& model, const RepairOptions& options, const BodyWork& bodies) {
+  const Crossings& crossings = bodies.crossings;
   int borders = 0;
   for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
   report(model, "open-border", borders, {{"gap", options.widest_crack}});
-  report(model, "crossing-bodies", static_cast<int>(crossings.pairs.size()));
+  report(model, "crossing-bodies", static_cast<int>(crossings.pairs.size()),
+         {{"unitable", options.unite ? 0 : bodies.unitable()}});
   report(model, "self-crossing-bodies", static_cast<int>(crossings.bodies.size()));
   report(model, "crossings-unchecked", crossings.checked ? 0 : model.mesh.face_count());
 }
@@ -330,12 +363,10 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
   mend_faces(triangles, frame, options, model);
   mend_holes(triangles, frame, options, model);
-  ManifoldWork manifold = make_manifold(triangles);
-  const BodyWork bodies = sort_bodies(triangles, options, manifold.turned, model);
-  report_manifold(triangles, manifold, model);
+  const BodyWork bodies = mend_surface(triangles, frame, options, model);
   flatten_faces(triangles, frame, model);
   finish_mesh(std::move(triangles), frame, model);
-  report_shape(model, options, bodies.crossings);
+  report_shape(model, options, bodies);
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/corner_origin.h"
 #include "mesh/mesh.h"
 #include "mesh/polygon_soup.h"
+#include "repair/solids.h"
 
 namespace foldwright {
 
@@ -18,6 +19,8 @@ struct RepairOptions {
   /// Holes up to this share of the longest side of the bounding box across are filled; 0: none.
   double fill_holes = 0;
   bool drop_inner = false;  ///< leave out bodies that lie inside others
+  bool unite = false;       ///< make one surface of closed bodies that run through each other
+  SolidUniter uniter = {};  ///< does that; without it nothing is united
 };
 
 /// A mesh that can be unfolded, and what had to be done to the input for it.
@@ -43,10 +46,10 @@ struct RepairedModel {
 /// and vertices split, non-orientable surfaces cut open. Cavities keep their winding, and bodies
 /// inside others are left out if that is asked for (`mend_bodies`). What was drawn flat is made
 /// flat as far as the file's precision explains that it is not (`find_drawn_planes`). Bodies that
-/// run through each other are told of, and stay as they are. Each component of an open surface
-/// keeps the winding that the majority of its area has in the file. The bounding box is centred at
-/// the origin. Whatever is done to a face, its corners know their places in the file. \throw
-/// InputError when no usable face is left
+/// run through each other are told of, and united if that is asked for (`unite_bodies`). Each
+/// component of an open surface keeps the winding that the majority of its area has in the file.
+/// The bounding box is centred at the origin. Whatever is done to a face, its corners know their
+/// places in the file. \throw InputError when no usable face is left
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 }  // namespace foldwright

@@ -24,10 +24,11 @@ export function notePackages(name) {
   };
 }
 
-/** Puts the engine, the decoders of Draco and WebP and the renderer of PNG files beside the scripts, where node looks for them. */
+/** Puts the engine, the library that unites bodies, decoders and the renderer of PNG files beside the scripts, where node looks for them. */
 export function copyWasm() {
   const files = {
     'foldwright.wasm': 'web/core/generated/foldwright.wasm',
+    'manifold.wasm': 'node_modules/manifold-3d/manifold.wasm',
     'draco.wasm': 'node_modules/draco3dgltf/draco_decoder_gltf.wasm',
     'resvg.wasm': 'node_modules/@resvg/resvg-wasm/index_bg.wasm',
     'webp.wasm': 'node_modules/@jsquash/webp/codec/dec/webp_dec.wasm',

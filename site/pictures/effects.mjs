@@ -18,6 +18,7 @@ export const scenes = {
   box: { model: 'box', options: { height: 40 } },
   'open box': { model: 'open box', options: { height: 40 } },
   nested: { model: 'box in a box', options: { height: 40 } },
+  crossed: { model: 'box with a bar', options: { height: 40, parts: 1 } },
   stud: { model: 'box with a stud', options: { height: 40 } },
   drum: { model: 'drum', options: { height: 30 } },
   painted: { model: 'painted', options: { height: 40 } },
@@ -45,6 +46,7 @@ export const effects = {
   faces: shows('rabbit', [160, 80], 'sheet'),
   'fill-holes': shows('open box', ['off', 'all']),
   inside: shows('nested', ['keep', 'drop']),
+  crossing: shows('crossed', ['keep', 'unite']),
   folding:
     'It decides whether a net without a folding motion is cut in two; most models have none.',
   clearance: 'It decides which folding motions count as free of collisions; sheets rarely change.',

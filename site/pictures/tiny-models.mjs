@@ -74,6 +74,9 @@ export const tinyModels = {
   'box in a box': {
     'nested.obj': obj(together(box([60, 40, 30]), box([30, 16, 12], [15, 12, 9]))),
   },
+  'box with a bar': {
+    'bar.obj': obj(together(box([60, 40, 30]), box([40, 12, 10], [40, 14, 10]))),
+  },
   'box with a stud': {
     'stud.obj': obj(together(box([60, 40, 30]), box([4, 4, 4], [28, 40, 13]))),
   },

@@ -148,7 +148,7 @@ std::string bookkeeping_fault_of(const RepairedModel& model) {
       dropped += repair.count;
     }
     for (const auto& [name, value] : repair.parameters) {
-      if (repair.code == "dropped-inner-bodies")
+      if (repair.code == "dropped-inner-bodies" || repair.code == "united-bodies")
         dropped += static_cast<int>(std::get<double>(value));
     }
   }

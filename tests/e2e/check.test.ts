@@ -199,6 +199,25 @@ test('holes are closed and inner bodies left out where a person wants it, and se
     expect(studio.complaints).toEqual([]);
   }));
 
+test('bodies that run through each other are made one where a person wants it', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const vertices = [...cube.vertices, ...cube.vertices.map((at) => at.map((x) => x / 2 + 27))];
+    const faces = [...cube.faces, ...cube.faces.map((face) => face.map((v) => v + 8))];
+    await studio.choose('boxes.obj', objText({ vertices, faces }));
+    await holds(studio, 'boxes.obj');
+    const crossing = page.locator('#check-crossing');
+    expect(await crossing.innerText()).toContain('their pieces would collide when glued');
+    await crossing.getByRole('button', { name: 'make one' }).click();
+    await page.getByText('2 bodies that ran through each other were united').waitFor();
+    expect(await page.locator('#check-bodies').isVisible()).toBe(false);
+    await studio.picture('check-crossing');
+    await page.locator('#check').getByRole('button', { name: 'Unfold' }).click();
+    await studio.resultOf('boxes');
+    expect(await page.locator('#result').innerText()).not.toContain('through each other');
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('who unfolds a model while it is looked at gets it as it is asked for', () =>
   withStudio(
     async (studio) => {

@@ -96,7 +96,13 @@ describe.skipIf(sharedFolder() === null || !isBuilt)('a case that people reporte
     const { report, repairs, stderr } = await unfold('boxes_crossing.obj');
     expect([report.model.components, report.pieces.length]).toEqual([2, 2]);
     expect(repairs['crossing-bodies']).toBe(1);
-    expect(stderr).toContain('their pieces would collide when assembled');
+    expect(stderr).toContain('their pieces would collide when assembled (--crossing unite');
+  });
+
+  it('boxes_crossing are one body when they are united', async () => {
+    const { report, repairs } = await unfold('boxes_crossing.obj', '--crossing', 'unite');
+    expect(report.model.components).toBe(1);
+    expect([repairs['united-bodies'], repairs['crossing-bodies']]).toEqual([2, undefined]);
   });
 
   it.each(['utf16_box.obj', 'obj_utf16le.obj', 'off_ncoff.off', 'ply_tristrips.ply'])(

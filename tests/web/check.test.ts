@@ -36,7 +36,7 @@ function lookAt(
 
 /** A number of triangles of a model that is not mended. */
 function aspect(faces: Aspect['faces']): Aspect {
-  return { faces, up: 'guess', fillHoles: 'off', inside: 'keep' };
+  return { faces, up: 'guess', fillHoles: 'off', inside: 'keep', crossing: 'keep' };
 }
 
 /** Answers when the test lets it, unless it is aborted. */

@@ -56,6 +56,47 @@ describe.skipIf(!isBuilt)('bodies inside others', () => {
   });
 });
 
+/** A cube, and a bar that stands out of one of its sides: their places have no end as single floats. */
+function cubeAndBar(hole = 0): string {
+  const bar = cube.vertices.map(([x, y, z]) => [25.1 + x! / 2, 13.3 + y! / 4, 13.3 + z! / 4]);
+  const faces = cube.faces.map((face) => face.map((vertex) => vertex + cube.vertices.length));
+  return objText({
+    vertices: [...cube.vertices, ...bar],
+    faces: [...cube.faces, ...faces.slice(0, faces.length - hole)],
+  });
+}
+
+describe.skipIf(!isBuilt)('bodies that run through each other', () => {
+  it('are kept, with the option that unites them', async () => {
+    const { notes, report } = await run(cubeAndBar(), []);
+    expect(notes).toContain('would collide when assembled (--crossing unite makes one of them)');
+    expect(repairsOf(report)).toMatchObject({ 'crossing-bodies': 1 });
+    expect(report.model.components).toBe(2);
+  });
+
+  it('are united on request, and each face of the file has its part', async () => {
+    const { notes, report } = await run(cubeAndBar(), ['--crossing', 'unite', '--parts', '1']);
+    expect(notes).toContain('note: 2 bodies that ran through each other were united; nothing is');
+    expect(notes).not.toContain('would collide');
+    expect(report.model.components).toBe(1);
+    // The side of the cube with the bar in it is a ring, which the bar's own net does not lie in.
+    expect(report.pieces.length).toBe(2);
+    expect(report.segmentation.length).toBe(24);
+    // Of the bar, the side within the cube is gone.
+    expect(report.segmentation.filter((part) => part === -1).length).toBe(2);
+    expect(new Set(report.segmentation)).toEqual(new Set([1, -1]));
+    expect(report.options['crossing']).toBe('unite');
+  });
+
+  it('stay where one of them is open, until it is closed', async () => {
+    const open = cubeAndBar(2);
+    const { notes } = await run(open, ['--crossing', 'unite']);
+    expect(notes).toContain('1 body that runs through others could not be united with them');
+    const { report } = await run(open, ['--crossing', 'unite', '--fill-holes', 'all']);
+    expect(report.model.components).toBe(1);
+  });
+});
+
 describe.skipIf(!isBuilt)('holes', () => {
   it('are left open, with the option that fills them', async () => {
     const { notes, report } = await run(openBox, []);

@@ -51,6 +51,7 @@ export function engineOf({ steps, tasks = 0, length = 1, onStep }: Script): Engi
       };
     },
     createSurface: () => ({ delete: () => undefined }),
+    setUniter: () => undefined,
     createTask() {
       let left = length;
       return {
@@ -78,6 +79,7 @@ export function localPort(engine: Engine, listener: PortListener): Port {
     post: (answer) => later(() => listener.onAnswer(answer)),
     pause: () => new Promise((resolve) => setImmediate(resolve)),
     loadDraco: () => Promise.reject(new Error('there is no decoder here')),
+    loadManifold: () => Promise.reject(new Error('there is no library here')),
   });
   return {
     post: (request: Request) => later(() => handle(request)),

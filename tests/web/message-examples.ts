@@ -367,6 +367,30 @@ export const examples: readonly [KnownMessage, string][] = [
     '2 bodies lie inside another one, where nobody will see them (--inside drop leaves them out)',
   ],
   [
+    { code: 'crossing-bodies', params: { count: 2, unitable: 2 } },
+    '2 pairs of bodies run through each other: their pieces would collide when assembled (--crossing unite makes one of them)',
+  ],
+  [
+    { code: 'crossing-bodies', params: { count: 1, unitable: 0 } },
+    '1 pair of bodies runs through each other: their pieces would collide when assembled; unite them in the modelling program',
+  ],
+  [
+    { code: 'united-bodies', params: { count: 3, faces: 1 } },
+    '3 bodies that ran through each other were united; nothing is left of 1 face inside',
+  ],
+  [
+    { code: 'united-bodies', params: { count: 2, faces: 0 } },
+    '2 bodies that ran through each other were united',
+  ],
+  [
+    { code: 'not-united', params: { count: 1 } },
+    '1 body that runs through others could not be united with them: only what is closed has an inside (--fill-holes all closes it)',
+  ],
+  [
+    { code: 'uniter-not-loaded', params: {} },
+    'what unites bodies could not be loaded; look to the connection, and try once more',
+  ],
+  [
     { code: 'dropped-inner-bodies', params: { count: 1, faces: 12 } },
     '1 body (12 faces) was left out, since nobody sees what lies inside another one',
   ],

@@ -41,6 +41,7 @@ const own = Object.keys({
   'missing-files': 0,
   'no-model-in-archive': 0,
   'reader-not-loaded': 0,
+  'uniter-not-loaded': 0,
   'too-many-triangles': 0,
   'damaged-looks': 0,
   'large-pictures': 0,

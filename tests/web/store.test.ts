@@ -222,7 +222,13 @@ describe('a run', () => {
 });
 
 describe('a look at the model', () => {
-  const whole = { faces: 'off', up: 'guess', fillHoles: 'off', inside: 'keep' } as const;
+  const whole = {
+    faces: 'off',
+    up: 'guess',
+    fillHoles: 'off',
+    inside: 'keep',
+    crossing: 'keep',
+  } as const;
   /** Of a model of so many triangles. */
   const found = (count: number) => ({
     model: { vertices: new Float32Array(9), faces: new Int32Array(3 * count) },

@@ -84,8 +84,6 @@ export class CheckPanel extends Panel {
     this.bound.textContent = check.isSearchable
       ? ''
       : this.told.check.tooMany(check.faces, mostFaces);
-    this.bodies.textContent = bodyWords(this.told, check.bodies, check.tinyBodies);
-    this.bodies.hidden = this.bodies.textContent === '';
     this.update(check);
   }
 
@@ -97,7 +95,7 @@ export class CheckPanel extends Panel {
     this.triangles.hidden = check.faces <= faceLevels[0] || check.nets === 'file';
     this.nets.update(check);
     this.mending.update(check);
-    this.list(check.repairs);
+    this.list(check);
     for (const button of this.levels.querySelectorAll('button')) {
       button.setAttribute('aria-pressed', String(button.value === String(faces)));
     }
@@ -112,10 +110,12 @@ export class CheckPanel extends Panel {
     this.size.update(check.outline, check.nets);
   }
 
-  /** Shows what was repaired and what was not. */
-  private list(repairs: Check['repairs']): void {
+  /** Shows what the model is made of, what was repaired and what was not. */
+  private list({ repairs, bodies, tinyBodies }: Check): void {
     if (repairs === this.listed) return;
     this.listed = repairs;
+    this.bodies.textContent = bodyWords(this.told, bodies, tinyBodies);
+    this.bodies.hidden = this.bodies.textContent === '';
     const { repaired, remaining } = repairWords(this.told, repairs);
     fillList(this.repaired, repaired);
     fillList(this.remaining, remaining);

@@ -34,12 +34,13 @@ export function repairWords(
   remaining: string[];
 } {
   const remains = ({ code }: Message): boolean => unmended.includes(code) || left.includes(code);
-  const isSwitched = ({ code }: Message): boolean => switched.includes(code);
+  const isSwitched = ({ code, params }: Message): boolean =>
+    switched.includes(code) || Number(params['unitable']) > 0;
   const told = (messages: Message[]): string[] =>
     messages.map((message) => sentence(phraseOf(words, message)));
   return {
     repaired: told(repairs.filter((repair) => !remains(repair) && !isSwitched(repair))),
-    remaining: told(repairs.filter(remains)),
+    remaining: told(repairs.filter((repair) => remains(repair) && !isSwitched(repair))),
   };
 }
 

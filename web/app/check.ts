@@ -3,6 +3,7 @@ import { JobError } from '../core/job-error.js';
 import { extentsOf } from '../model/bounds.js';
 import { isTiny } from '../model/components.js';
 import { mostFaces, proposedFaces, usualFaces } from '../model/face-numbers.js';
+import type { Message } from '../model/message.js';
 import type { Settings } from '../model/options.js';
 import { isUnmended } from './check-words.js';
 import type { ChosenModel } from './model-file.js';
@@ -24,10 +25,10 @@ export const tooManyFaces = 'too-many-faces';
 const mostOutlined = 2 * usualFaces;
 
 /** A model is first looked at as it is: what can be mended of it is then known. */
-const unmended = { fillHoles: 'off', inside: 'keep' } as const;
+const unmended = { fillHoles: 'off', inside: 'keep', crossing: 'keep' } as const;
 
-const keyOf = ({ faces, up, fillHoles, inside }: Aspect): string =>
-  `${faces} ${up} ${fillHoles} ${inside}`;
+const keyOf = ({ faces, up, fillHoles, inside, crossing }: Aspect): string =>
+  `${faces} ${up} ${fillHoles} ${inside} ${crossing}`;
 
 /** Holes that can be filled, how many of them are small, and what that means: in percent of the model's length. */
 export interface FillableHoles {
@@ -120,14 +121,14 @@ export class Check {
     return this.shownLook?.repairs ?? [];
   }
 
-  /** Separate bodies of the model. */
+  /** Separate bodies of the model as it was seen last. */
   get bodies(): number {
-    return this.first?.components.length ?? 0;
+    return this.shownLook?.components.length ?? 0;
   }
 
   /** How many of them are tiny. */
   get tinyBodies(): number {
-    return this.first ? tinyComponents(this.first).size : 0;
+    return this.shownLook ? tinyComponents(this.shownLook).size : 0;
   }
 
   /** Per face of the present look: 0 for those of tiny bodies, -1 for all others. */
@@ -148,6 +149,11 @@ export class Check {
   /** Bodies that lie inside others, left out or not; some only do once holes are filled. */
   get innerBodies(): number {
     return Math.max(innerBodiesOf(this.first), innerBodiesOf(this.shownLook));
+  }
+
+  /** Whether bodies run through each other that could be made one, or were. */
+  get canUnite(): boolean {
+    return isUnitable(this.first) || isUnitable(this.shownLook);
   }
 
   /** Pieces of the nets that the file brings along; 0 if it has none. */
@@ -252,6 +258,12 @@ function innerBodiesOf(look: Inspection | null): number {
   const codes = ['inner-bodies', 'dropped-inner-bodies'];
   const told = look?.repairs.find(({ code }) => codes.includes(code));
   return Number(told?.params['count'] ?? 0);
+}
+
+function isUnitable(look: Inspection | null): boolean {
+  const can = (message: Message): boolean =>
+    message.code === 'united-bodies' || Number(message.params['unitable']) > 0;
+  return look?.repairs.some(can) ?? false;
 }
 
 /** Numbers of the components that are tiny. */

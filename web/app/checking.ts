@@ -107,8 +107,9 @@ export class Checking extends Panel {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       const { faces, mending, size } = this.form;
-      const { 'fill-holes': fillHoles, inside } = mending.value;
-      void this.store.preview({ faces: faces.value, up: size.upwards, fillHoles, inside });
+      const { 'fill-holes': fillHoles, inside, crossing } = mending.value;
+      const aspect = { faces: faces.value, up: size.upwards, fillHoles, inside, crossing };
+      void this.store.preview(aspect);
     }, rest);
   }
 }

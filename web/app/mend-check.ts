@@ -10,13 +10,14 @@ function press(box: HTMLElement, chosen: string): void {
   }
 }
 
-/** Asks what to do about holes and about bodies inside others, where a model has some. */
+/** Asks what to do about holes and about bodies inside others or through each other, where a model has some. */
 export class MendCheck extends Panel {
   private readonly holes = this.find('#check-holes', HTMLElement);
   private readonly holesWords = this.find('#check-holes-words', HTMLElement);
   private readonly small = this.find('#check-holes-small', HTMLButtonElement);
   private readonly inside = this.find('#check-inside', HTMLElement);
   private readonly insideWords = this.find('#check-inside-words', HTMLElement);
+  private readonly crossing = this.find('#check-crossing', HTMLElement);
 
   constructor(
     place: StudioPlace,
@@ -27,10 +28,11 @@ export class MendCheck extends Panel {
       'fill-holes': value === 'off' || value === 'all' ? value : Number(value),
     }));
     this.follow(this.inside, (value) => ({ inside: value === 'drop' ? 'drop' : 'keep' }));
+    this.follow(this.crossing, (value) => ({ crossing: value === 'unite' ? 'unite' : 'keep' }));
   }
 
   /** Shows what there is to mend, and what the fields say about it. */
-  update({ holes, innerBodies }: Check): void {
+  update({ holes, innerBodies, canUnite }: Check): void {
     const mending = this.fields.value;
     this.holes.hidden = holes === null;
     this.holesWords.textContent = holes === null ? '' : this.told.check.holes(holes);
@@ -41,6 +43,8 @@ export class MendCheck extends Panel {
     this.inside.hidden = innerBodies === 0;
     this.insideWords.textContent = innerBodies === 0 ? '' : this.told.check.inside(innerBodies);
     press(this.inside, mending.inside);
+    this.crossing.hidden = !canUnite;
+    press(this.crossing, mending.crossing);
   }
 
   private follow(box: HTMLElement, mending: (value: string) => Partial<Mending>): void {

@@ -17,6 +17,7 @@ export type Method = Pick<
   | 'faces'
   | 'fill-holes'
   | 'inside'
+  | 'crossing'
   | 'proxy'
   | 'folding'
 >;

@@ -14,6 +14,7 @@ export type Wishes = Pick<Settings, 'faces' | 'up'>;
 export interface Aspect extends Wishes {
   fillHoles: Settings['fill-holes'];
   inside: Settings['inside'];
+  crossing: Settings['crossing'];
 }
 
 /** What can look at a model. */
@@ -41,6 +42,16 @@ interface Copy extends Making {
     /** Of the model, as there is nothing to repair in the copy. */
     repairs: Inspection['repairs'];
   }>;
+}
+
+function madeAlike(one: Making, other: Making): boolean {
+  const { up, fillHoles, inside, crossing } = one;
+  return (
+    up === other.up &&
+    fillHoles === other.fillHoles &&
+    inside === other.inside &&
+    crossing === other.crossing
+  );
 }
 
 /** A mesh as a file for the engine, exactly. */
@@ -86,10 +97,8 @@ export class QuickLooks {
   }
 
   private copyFor(making: Making): Copy['opened'] {
-    const { up, fillHoles, inside } = making;
     const { copy: before } = this;
-    const isSame = before?.up === up && before.fillHoles === fillHoles && before.inside === inside;
-    if (isSame) return before.opened;
+    if (before && madeAlike(before, making)) return before.opened;
     const copy: Copy = { ...making, opened: this.makeCopy(making) };
     this.copy = copy;
     copy.opened.catch(() => {

@@ -1,5 +1,6 @@
 import { startModuleWorker } from '../browser/module-worker.js';
 import dracoAddress from 'draco3dgltf/draco_decoder_gltf.wasm?url';
+import manifoldAddress from 'manifold-3d/manifold.wasm?url';
 import wasmAddress from './generated/foldwright.wasm?url';
 import { poolSize } from './pool-size.js';
 import { Pool } from './pool.js';
@@ -15,14 +16,21 @@ export interface EngineAddresses {
   wasm?: string | URL;
   /** The decoder of Draco, which few models need. */
   draco?: string | URL;
+  /** The library that unites bodies, which is asked for by few. */
+  manifold?: string | URL;
 }
 
 function workersOf({
   worker: script = workerAddress,
   wasm = wasmAddress,
   draco = dracoAddress,
+  manifold = manifoldAddress,
 }: EngineAddresses): Spawn {
-  const addresses: WorkerAddresses = { wasm: String(wasm), draco: String(draco) };
+  const addresses: WorkerAddresses = {
+    wasm: String(wasm),
+    draco: String(draco),
+    manifold: String(manifold),
+  };
   const name = JSON.stringify(addresses);
   return (listener) => {
     const worker = startModuleWorker(String(script), name);

@@ -9,6 +9,9 @@ import { buffersOf } from './transfer.js';
 class EngineWorker {
   private conductor: Conductor | null = null;
   private helper: Helper | null = null;
+  private canUnite = false;
+  /** What has to be loaded before anything else is done. */
+  private loading: Promise<boolean> = Promise.resolve(true);
 
   constructor(
     private readonly engine: Engine,
@@ -17,6 +20,8 @@ class EngineWorker {
 
   /** Resolves when all that the request asks for is done; rejects if the engine fails. */
   async handle(request: Request): Promise<void> {
+    // Requests keep their order, also those that come while something is loaded.
+    await this.loading;
     if (request.type === 'run') await this.conduct(request);
     else if (request.type === 'read') await this.read(request);
     else if (request.type === 'task') await this.help(request);
@@ -25,8 +30,30 @@ class EngineWorker {
   }
 
   private async conduct(request: RunRequest): Promise<void> {
+    if (request.options.unite && !this.canUnite) {
+      const loading = this.loadUniter();
+      this.loading = loading;
+      if (!(await loading)) return this.refuse(request);
+    }
     this.conductor = new Conductor(this.engine, this.host, request);
     await this.conductor.run();
+  }
+
+  /** Loads what unites bodies; false where that fails, as without a network. */
+  private async loadUniter(): Promise<boolean> {
+    try {
+      const { makeUniter } = await import('./solid-uniter.js');
+      this.engine.setUniter(await makeUniter(await this.host.loadManifold()));
+      this.canUnite = true;
+    } catch {
+      return false;
+    }
+    return true;
+  }
+
+  private refuse({ job }: RunRequest): void {
+    const events = [{ type: 'error', code: 'uniter-not-loaded', params: {} } as const];
+    this.host.post({ type: 'events', job, events }, []);
   }
 
   private async read(request: ReadRequest): Promise<void> {

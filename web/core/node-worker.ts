@@ -15,6 +15,7 @@ const handle = serveEngine({
   post: (answer, transfer) => parentPort!.postMessage(answer, transfer),
   pause: () => setImmediate(),
   loadDraco: () => readFile(new URL('./draco.wasm', import.meta.url)),
+  loadManifold: () => readFile(new URL('./manifold.wasm', import.meta.url)),
 });
 
 parentPort!.on('message', (request: Request) => handle(request));

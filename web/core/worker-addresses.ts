@@ -4,4 +4,6 @@ export interface WorkerAddresses {
   wasm: string;
   /** The decoder of Draco. */
   draco: string;
+  /** The library that unites bodies. */
+  manifold: string;
 }

@@ -17,9 +17,9 @@ function pause(): Promise<void> {
 /** The page says by the worker's name where they lie: as a module that was copied elsewhere it would not find them. */
 const addresses = JSON.parse(self.name) as WorkerAddresses;
 
-async function loadDraco(): Promise<Uint8Array> {
-  const answer = await fetch(addresses.draco);
-  if (!answer.ok) throw new Error(`the decoder of Draco cannot be loaded (${answer.status})`);
+async function load(address: string): Promise<Uint8Array> {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address} cannot be loaded (${answer.status})`);
   return new Uint8Array(await answer.arrayBuffer());
 }
 
@@ -27,7 +27,8 @@ const handle = serveEngine({
   loadEngine: () => createFoldwright({ locateFile: () => addresses.wasm }),
   post: (answer, transfer) => postMessage(answer, { transfer }),
   pause,
-  loadDraco,
+  loadDraco: () => load(addresses.draco),
+  loadManifold: () => load(addresses.manifold),
 });
 
 addEventListener('message', ({ data }: MessageEvent<Request>) => handle(data));

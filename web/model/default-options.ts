@@ -19,6 +19,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   up: 'guess',
   fillHoles: 0,
   dropInner: false,
+  unite: false,
   sizing: 'fit',
   size: 0,
   unit: 'guess',

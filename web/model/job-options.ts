@@ -80,6 +80,8 @@ export interface JobOptions {
   fillHoles: number;
   /** Leave out bodies that lie inside others. */
   dropInner: boolean;
+  /** Make one surface of closed bodies that run through each other. */
+  unite: boolean;
   sizing: Sizing;
   /**
    * Height (along y), width (along x) or depth (along z) in mm, once y is up; a factor, or a number of

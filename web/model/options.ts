@@ -72,6 +72,7 @@ export const rows = {
     wordOr('all', wordOr('off', decimal(fillRange.least, fillRange.most))),
   ),
   inside: row('keep|drop', 'keep', choice(['keep', 'drop'])),
+  crossing: row('keep|unite', 'keep', choice(['keep', 'unite'])),
   folding: row('MODE', defaultOptions.folding, choice(['require', 'prefer', 'off'])),
   clearance: row('F', defaultOptions.clearance, decimal(0.0001, 0.2)),
   height: row('MM|none', 'none', wordOr('none', decimal(1, 100_000))),
@@ -233,6 +234,7 @@ export function jobOptions(settings: Settings): JobOptions {
     up: settings.up,
     fillHoles: fillOption(settings['fill-holes']),
     dropInner: settings.inside === 'drop',
+    unite: settings.crossing === 'unite',
     ...sizeOptions(settings),
     ...flapOptions(settings),
     // Edges, parts and pieces are chosen where they can be seen.

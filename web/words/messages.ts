@@ -64,7 +64,8 @@ export interface EngineMessages {
   'closed-cracks': Counted & { width: number };
   'lost-picture-places': Counted;
   'closed-t-junctions': Counted;
-  'crossing-bodies': Counted;
+  /** And how many of the pairs can be united. */
+  'crossing-bodies': Counted & { unitable: number };
   'crossings-unchecked': Counted;
   'counts-from-zero': Counted;
   'cut-nonorientable': Counted;
@@ -87,6 +88,7 @@ export interface EngineMessages {
   'inner-bodies': Counted;
   'merged-two-sided': Counted;
   'missing-endsolid': Counted;
+  'not-united': Counted;
   'open-border': (Counted & { gap: number; what?: never }) | { what: 'edge' };
   /** How wide the widest is, how many are small, and what that means: in percent of the model's longest side. */
   'open-holes': Counted & { percent: number; small: number; small_percent: number };
@@ -98,6 +100,8 @@ export interface EngineMessages {
   'trailing-lines': Counted;
   'triangulated-polygons': Counted;
   'unfilled-holes': Counted;
+  /** And how many faces of the file nothing is left of. */
+  'united-bodies': Counted & { faces: number };
   'welded-vertices': Counted;
   'wrong-count': Counted & { announced: number };
 
@@ -243,6 +247,7 @@ export interface OwnMessages {
   'bad-project': { file: string } & ProjectFault;
   'missing-files': { file: string; missing: string[] };
   'reader-not-loaded': None;
+  'uniter-not-loaded': None;
   'no-model-in-archive': { file: string; files: string[] };
   'too-many-triangles': { most: number };
 

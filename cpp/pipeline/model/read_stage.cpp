@@ -105,7 +105,8 @@ class ReadStage : public Stage {
     check_options(state.options);
     state.parts.names = state.options.paper.names;
     state.parts.pins = state.options.paper.pins;
-    state.model.source = state.memory->model.read(files_, state.options.model);
+    state.model.source =
+        state.memory->model.read(files_, state.options.model, state.memory->uniter);
     files_ = {};
     const SourceModel& model = *state.model.source;
     state.notices = model.notices;

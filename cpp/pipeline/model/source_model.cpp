@@ -84,7 +84,7 @@ void simplify_to(int wanted, SourceModel& model) {
 std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& options) {
   std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
                     std::to_string(options.faces) + ' ' + std::to_string(options.fill_holes) + ' ' +
-                    std::to_string(options.drop_inner);
+                    std::to_string(options.drop_inner) + ' ' + std::to_string(options.unite);
   for (const ModelFile& file : files) {
     const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
     key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +
@@ -95,11 +95,14 @@ std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& opti
 
 }  // namespace
 
-SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options) {
+SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options,
+                              const SolidUniter& uniter) {
   SourceModel model;
   const PolygonSoup soup = read_upright(files, options.up, model);
-  RepairedModel repaired =
-      repair(soup, {.fill_holes = options.fill_holes / 100, .drop_inner = options.drop_inner});
+  RepairedModel repaired = repair(soup, {.fill_holes = options.fill_holes / 100,
+                                         .drop_inner = options.drop_inner,
+                                         .unite = options.unite,
+                                         .uniter = uniter});
   model.looks = looks_of(soup, repaired);
   model.mesh = std::move(repaired.mesh);
   model.origins = std::move(repaired.origins);
@@ -112,11 +115,12 @@ SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOp
 }
 
 std::shared_ptr<const SourceModel> ModelMemory::read(const std::vector<ModelFile>& files,
-                                                     const ModelOptions& options) {
+                                                     const ModelOptions& options,
+                                                     const SolidUniter& uniter) {
   std::string key = key_of(files, options);
   if (!model_ || key != key_) {
     model_.reset();
-    model_ = std::make_shared<const SourceModel>(read_source_model(files, options));
+    model_ = std::make_shared<const SourceModel>(read_source_model(files, options, uniter));
     key_ = std::move(key);
   }
   return model_;

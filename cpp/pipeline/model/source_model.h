@@ -8,6 +8,7 @@
 #include "pipeline/values/options.h"
 #include "pipeline/values/result.h"
 #include "read/model_files.h"
+#include "repair/solids.h"
 
 namespace foldwright {
 
@@ -29,9 +30,10 @@ struct SourceModel {
   std::vector<Notice> notices;
 };
 
-/// Reads the model among the files, see `find_model`.
-/// \throw InputError for files that give no model
-SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options);
+/// Reads the model among the files, see `find_model`. `uniter` is needed where bodies are to be
+/// united. \throw InputError for files that give no model
+SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options,
+                              const SolidUniter& uniter = {});
 
 /// The model that was read last, for jobs that change a result of the same files.
 class ModelMemory {
@@ -39,7 +41,8 @@ class ModelMemory {
   /// As `read_source_model`, which is called only if files or options are others than before.
   /// Models are told apart by the names, sizes and hashes of their files.
   std::shared_ptr<const SourceModel> read(const std::vector<ModelFile>& files,
-                                          const ModelOptions& options);
+                                          const ModelOptions& options,
+                                          const SolidUniter& uniter = {});
 
  private:
   std::string key_;

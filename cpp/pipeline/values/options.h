@@ -64,6 +64,7 @@ struct ModelOptions {
   /// Fill holes up to so many percent of the model's longest side across; 0: none.
   double fill_holes = 0;
   bool drop_inner = false;  ///< leave out bodies that lie inside others
+  bool unite = false;       ///< make one surface of closed bodies that run through each other
 };
 
 /// What decides the parts of a model.

@@ -277,9 +277,10 @@ export const fileMessages = {
       `über Risse hinweg mit anderen verbunden, der breiteste ${rounded(width)} Einheiten des Modells breit`,
     )({ count: number }),
   'closed-t-junctions': was('Kante', 'an Ecken ihrer Nachbarn geteilt, um einen Riss zu schließen'),
-  'crossing-bodies': ({ count: number }) =>
+  'crossing-bodies': ({ count: number, unitable }) =>
     `${count(number, 'Paar von Körpern geht', 'Paare von Körpern gehen')} durcheinander: ` +
-    'Ihre Teile würden beim Zusammenbauen zusammenstoßen; vereine sie im Modellierprogramm',
+    'Ihre Teile würden beim Zusammenbauen zusammenstoßen' +
+    (unitable > 0 ? ' (--crossing unite vereint sie)' : '; vereine sie im Modellierprogramm'),
   'crossings-unchecked': ({ count: number }) =>
     `${count(number, 'Fläche ist', 'Flächen sind')} zu viel, um nachzusehen, ob Körper durcheinander gehen oder ineinander liegen`,
   'counts-from-zero': () =>
@@ -321,6 +322,9 @@ export const fileMessages = {
     'ein zweites Mal von der anderen Seite angegeben; beide Seiten sind jetzt eine Haut aus Papier',
   ),
   'missing-endsolid': () => "die Datei endet ohne 'endsolid'; an ihrem Ende können Dreiecke fehlen",
+  'not-united': ({ count: number }) =>
+    `${count(number, 'Körper, der durch andere geht, ließ', 'Körper, die durch andere gehen, ließen')} sich nicht mit ihnen vereinen: ` +
+    'Nur was geschlossen ist, hat ein Inneres (--fill-holes all schließt es)',
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `die Datei heißt .${ending}, enthält aber ${format}`,
@@ -339,6 +343,9 @@ export const fileMessages = {
     `${count(number, 'Fläche', 'Flächen')} mit mehr als drei Ecken ${choose(number, 'wurde', 'wurden')} in Dreiecke geteilt`,
   'unfilled-holes': ({ count: number }) =>
     `${count(number, 'Loch bleibt', 'Löcher bleiben')} offen: Jede Fläche darin würde durch das Modell gehen oder auf ihm liegen`,
+  'united-bodies': ({ count: number, faces }) =>
+    `${count(number, 'Körper', 'Körper')}, die durcheinander gingen, wurden vereint` +
+    (faces > 0 ? `; von ${count(faces, 'Fläche', 'Flächen')} im Inneren ist nichts mehr da` : ''),
   'welded-vertices': was('Ecke', 'mit anderen an derselben Stelle vereint'),
   'wrong-count': ({ count: number, announced }) =>
     `der Kopf der Datei kündigt ${figure(announced)} Dreiecke an, aber sie hat ${figure(number)}, die alle gelesen wurden`,

@@ -68,6 +68,7 @@ export const optionHelp: Words['optionHelp'] = {
   'fill-holes':
     'Löcher füllen, die höchstens so viele Prozent der längsten Seite des Modells breit sind; all: alle',
   inside: 'Körper, die in anderen liegen: keep: behalten; drop: weglassen',
+  crossing: 'Körper, die durcheinander gehen: keep: behalten; unite: vereinen',
   folding: 'Netze ohne Weg zum Falten: require: zerlegen; prefer: melden; off: nicht danach suchen',
   clearance: 'wie weit Flächen beim Falten voneinander bleiben, in mittleren Kantenlängen',
   height:

@@ -242,6 +242,11 @@ export const page: Words['page'] = {
     inside: 'Körper in anderen',
     insideKeep: 'behalten',
     insideDrop: 'weglassen',
+    crossing: 'Körper, die durcheinander gehen',
+    crossingKeep: 'behalten',
+    crossingUnite: 'vereinen',
+    crossingWords:
+      'Körper gehen durcheinander, also würden ihre Teile beim Kleben zusammenstoßen. Vereint verlieren sie, was im Inneren liegt.',
     triangles: 'Dreiecke',
     size: 'Größe in deiner Hand',
     tenHigh: '10 cm hoch',

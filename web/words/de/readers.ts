@@ -214,6 +214,8 @@ export const readerMessages = {
       : `keine Datei im Archiv '${shown(file)}' ist ein Modell, das gelesen wird; darin ist ${some(files)}`,
   'reader-not-loaded': () =>
     'was dieses Format liest, ließ sich nicht laden; sieh nach der Verbindung, und versuche es noch einmal',
+  'uniter-not-loaded': () =>
+    'was Körper vereint, ließ sich nicht laden; sieh nach der Verbindung, und versuche es noch einmal',
   'too-many-triangles': ({ most }) =>
     `das Modell hat mehr als ${figure(most)} Dreiecke, und das sind mehr, als sich lesen lassen; ` +
     'vereinfache es in dem Programm, das es gemacht hat',

@@ -274,9 +274,12 @@ export const fileMessages = {
       count: number,
     }),
   'closed-t-junctions': was('edge', 'cut at vertices of its neighbours to close a crack'),
-  'crossing-bodies': ({ count: number }) =>
+  'crossing-bodies': ({ count: number, unitable }) =>
     `${count(number, 'pair of bodies', 'pairs of bodies')} ${choose(number, 'runs', 'run')} through each other: ` +
-    'their pieces would collide when assembled; unite them in the modelling program',
+    'their pieces would collide when assembled' +
+    (unitable > 0
+      ? ' (--crossing unite makes one of them)'
+      : '; unite them in the modelling program'),
   'crossings-unchecked': ({ count: number }) =>
     `${count(number, 'face')} ${choose(number, 'is', 'are')} too many to look whether bodies run through each other or lie inside each other`,
   'counts-from-zero': () =>
@@ -317,6 +320,9 @@ export const fileMessages = {
     'given a second time from the other side; both sides are one skin of paper now',
   ),
   'missing-endsolid': () => "the file ends without 'endsolid'; triangles may be missing at its end",
+  'not-united': ({ count: number }) =>
+    `${count(number, 'body that runs', 'bodies that run')} through others could not be united with them: ` +
+    'only what is closed has an inside (--fill-holes all closes it)',
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `the file is named .${ending}, but holds ${format}`,
@@ -335,6 +341,9 @@ export const fileMessages = {
     `${count(number, 'face')} with more than three corners ${choose(number, 'was', 'were')} cut into triangles`,
   'unfilled-holes': ({ count: number }) =>
     `${count(number, 'hole')} ${choose(number, 'stays', 'stay')} open: every face in ${choose(number, 'it', 'them')} would run through the model or lie on it`,
+  'united-bodies': ({ count: number, faces }) =>
+    `${count(number, 'body', 'bodies')} that ran through each other were united` +
+    (faces > 0 ? `; nothing is left of ${count(faces, 'face')} inside` : ''),
   'welded-vertices': was('vertex', 'merged with others at the same place'),
   'wrong-count': ({ count: number, announced }) =>
     `the header announces ${figure(announced)} triangles, but the file has ${figure(number)}, which were all read`,

@@ -14,6 +14,7 @@ export const optionHelp: Record<keyof Settings, string> = {
   'fill-holes':
     'fill holes that are at most so many percent of the model’s longest side across; all: every hole',
   inside: 'bodies that lie inside others: keep; drop: leave them out',
+  crossing: 'bodies that run through each other: keep; unite: make one of them',
   folding: 'nets without a folding motion: require: split; prefer: report; off: do not look',
   clearance: 'how far apart faces stay while folding, in mean edge lengths',
   height: 'finished height, from below to above; pieces too large for the sheet are cut again',

@@ -241,6 +241,11 @@ export const page = {
     inside: 'Bodies inside others',
     insideKeep: 'keep',
     insideDrop: 'leave out',
+    crossing: 'Bodies that run through each other',
+    crossingKeep: 'keep',
+    crossingUnite: 'make one',
+    crossingWords:
+      'Bodies run through each other, so their pieces would collide when glued. Made one, they lose what is inside.',
     triangles: 'Triangles',
     size: 'Size in your hand',
     tenHigh: '10 cm high',

@@ -213,6 +213,8 @@ export const readerMessages = {
       : `no file in the archive '${shown(file)}' is a model that is read; it has ${some(files)}`,
   'reader-not-loaded': () =>
     'the reader of this format could not be loaded; look to the connection, and try once more',
+  'uniter-not-loaded': () =>
+    'what unites bodies could not be loaded; look to the connection, and try once more',
   'too-many-triangles': ({ most }) =>
     `the model has more than ${figure(most)} triangles, which is more than can be read; ` +
     'simplify it in the program that made it',

@@ -289,9 +289,10 @@ export const fileMessages = {
     ['se cortó', 'se cortaron'],
     'en vértices de sus vecinas para cerrar una grieta',
   ),
-  'crossing-bodies': ({ count: number }) =>
+  'crossing-bodies': ({ count: number, unitable }) =>
     `${count(number, 'par de cuerpos se atraviesa', 'pares de cuerpos se atraviesan')}: ` +
-    'sus piezas chocarían al montarlas; únelos en el programa de modelado',
+    'sus piezas chocarían al montarlas' +
+    (unitable > 0 ? ' (--crossing unite los une)' : '; únelos en el programa de modelado'),
   'crossings-unchecked': ({ count: number }) =>
     `${counted.faces(number)} ${choose(number, 'es demasiado', 'son demasiadas')} para mirar si unos cuerpos atraviesan otros o están dentro de otros`,
   'counts-from-zero': () =>
@@ -347,6 +348,9 @@ export const fileMessages = {
     'otra vez desde el otro lado; ahora los dos lados son una sola piel de papel',
   ),
   'missing-endsolid': () => "el archivo termina sin 'endsolid'; pueden faltar triángulos al final",
+  'not-united': ({ count: number }) =>
+    `${count(number, 'cuerpo que atraviesa otros no se pudo', 'cuerpos que atraviesan otros no se pudieron')} unir con ellos: ` +
+    'solo lo que está cerrado tiene interior (--fill-holes all lo cierra)',
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `el archivo se llama .${ending}, pero contiene ${format}`,
@@ -381,6 +385,9 @@ export const fileMessages = {
     `${count(number, 'cara con más de tres esquinas se cortó', 'caras con más de tres esquinas se cortaron')} en triángulos`,
   'unfilled-holes': ({ count: number }) =>
     `${count(number, 'agujero se queda abierto', 'agujeros se quedan abiertos')}: cualquier cara ahí atravesaría el modelo o quedaría encima de él`,
+  'united-bodies': ({ count: number, faces }) =>
+    `${count(number, 'cuerpo que atravesaba otro se unió', 'cuerpos que se atravesaban se unieron')}` +
+    (faces > 0 ? `; no queda nada de ${counted.faces(faces)} del interior` : ''),
   'welded-vertices': told(
     'vértice',
     ['se juntó', 'se juntaron'],

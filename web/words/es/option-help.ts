@@ -15,6 +15,7 @@ export const optionHelp: Words['optionHelp'] = {
   'fill-holes':
     'rellenar los agujeros que miden como mucho ese porcentaje del lado más largo del modelo; all: todos',
   inside: 'los cuerpos que están dentro de otros: keep: conservarlos; drop: dejarlos fuera',
+  crossing: 'los cuerpos que se atraviesan: keep: conservarlos; unite: unirlos',
   folding: 'plantillas sin forma de plegarlas: require: dividir; prefer: avisar; off: no mirarlo',
   clearance: 'cuánto se separan las caras al plegar, medido en el largo medio de las aristas',
   height: 'alto final, de abajo arriba; las piezas que no caben en la hoja se vuelven a cortar',

@@ -242,6 +242,11 @@ export const page: Words['page'] = {
     inside: 'Cuerpos dentro de otros',
     insideKeep: 'conservar',
     insideDrop: 'quitar',
+    crossing: 'Cuerpos que se atraviesan',
+    crossingKeep: 'conservar',
+    crossingUnite: 'unir',
+    crossingWords:
+      'Hay cuerpos que se atraviesan, y sus piezas chocarían al pegarlas. Al unirlos desaparece lo que queda dentro.',
     triangles: 'Triángulos',
     size: 'Tamaño en tu mano',
     tenHigh: '10 cm de alto',

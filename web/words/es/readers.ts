@@ -221,6 +221,8 @@ export const readerMessages = {
       : `ningún archivo del archivo comprimido '${shown(file)}' es un modelo que se lea; tiene ${some(files)}`,
   'reader-not-loaded': () =>
     'el lector de este formato no se pudo cargar; mira la conexión e inténtalo otra vez',
+  'uniter-not-loaded': () =>
+    'lo que une cuerpos no se pudo cargar; mira la conexión e inténtalo otra vez',
   'too-many-triangles': ({ most }) =>
     `el modelo tiene más de ${figure(most)} triángulos, y son más de los que se pueden leer; ` +
     'simplifícalo en el programa con el que se hizo',

@@ -290,9 +290,12 @@ export const fileMessages = {
     'arête a été divisée aux sommets de ses voisines pour fermer une fissure',
     'arêtes ont été divisées aux sommets de leurs voisines pour fermer une fissure',
   ),
-  'crossing-bodies': ({ count: number }) =>
+  'crossing-bodies': ({ count: number, unitable }) =>
     `${count(number, 'paire de corps se traverse', 'paires de corps se traversent')}\u202f: ` +
-    'leurs pièces se heurteraient au montage\u202f; réunis-les dans le programme de modélisation',
+    'leurs pièces se heurteraient au montage' +
+    (unitable > 0
+      ? ' (--crossing unite les réunit)'
+      : '\u202f; réunis-les dans le programme de modélisation'),
   'crossings-unchecked': ({ count: number }) =>
     `${count(number, 'face', 'faces')}, c’est trop pour vérifier si des corps se traversent ou sont l’un dans l’autre`,
   'counts-from-zero': () =>
@@ -362,6 +365,9 @@ export const fileMessages = {
   ),
   'missing-endsolid': () =>
     "le fichier se termine sans 'endsolid'\u202f; il peut manquer des triangles à la fin",
+  'not-united': ({ count: number }) =>
+    `${count(number, 'corps qui en traverse d’autres n’a pas pu être réuni', 'corps qui en traversent d’autres n’ont pas pu être réunis')} avec eux\u202f: ` +
+    'seul ce qui est fermé a un intérieur (--fill-holes all le ferme)',
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) =>
@@ -393,6 +399,9 @@ export const fileMessages = {
     'trou reste ouvert\u202f: toute face y traverserait le modèle ou se poserait dessus',
     'trous restent ouverts\u202f: toute face y traverserait le modèle ou se poserait dessus',
   ),
+  'united-bodies': ({ count: number, faces }) =>
+    `${count(number, 'corps qui en traversait un autre a été réuni', 'corps qui se traversaient ont été réunis')}` +
+    (faces > 0 ? `\u202f; il ne reste rien de ${count(faces, 'face', 'faces')} à l’intérieur` : ''),
   'welded-vertices': counted(
     'sommet a été fusionné avec d’autres au même endroit',
     'sommets ont été fusionnés avec d’autres au même endroit',

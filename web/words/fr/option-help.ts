@@ -17,6 +17,8 @@ export const optionHelp: Words['optionHelp'] = {
     'boucher les trous larges au plus de ce pourcentage du plus long côté du modèle\u202f; all\u202f: tous',
   inside:
     'les corps placés à l’intérieur d’autres\u202f: keep\u202f: les garder\u202f; drop\u202f: les laisser de côté',
+  crossing:
+    'les corps qui se traversent\u202f: keep\u202f: les garder\u202f; unite\u202f: les réunir',
   folding:
     'patrons sans façon de les plier\u202f: require\u202f: diviser\u202f; prefer\u202f: signaler\u202f; off\u202f: ne pas chercher',
   clearance: 'distance entre les faces pendant le pliage, en longueurs moyennes d’arête',

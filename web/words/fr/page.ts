@@ -244,6 +244,11 @@ export const page: Words['page'] = {
     inside: 'Corps dans d’autres',
     insideKeep: 'garder',
     insideDrop: 'enlever',
+    crossing: 'Corps qui se traversent',
+    crossingKeep: 'garder',
+    crossingUnite: 'réunir',
+    crossingWords:
+      'Des corps se traversent, et leurs pièces se heurteraient au collage. Réunis, ils perdent ce qui est à l’intérieur.',
     triangles: 'Triangles',
     size: 'Taille dans ta main',
     tenHigh: '10 cm de haut',

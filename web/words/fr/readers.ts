@@ -214,6 +214,8 @@ export const readerMessages = {
       : `aucun fichier de l’archive '${shown(file)}' n’est un modèle qui peut être lu\u202f; elle contient ${some(files)}`,
   'reader-not-loaded': () =>
     'ce qui lit ce format n’a pas pu être chargé\u202f; vérifie la connexion, et essaie encore une fois',
+  'uniter-not-loaded': () =>
+    'ce qui réunit les corps n’a pas pu être chargé\u202f; vérifie la connexion et réessaie',
   'too-many-triangles': ({ most }) =>
     `le modèle a plus de ${figure(most)} triangles, et c’est plus qu’on ne peut en lire\u202f; ` +
     'simplifie-le dans le programme qui l’a fait',

@@ -283,9 +283,11 @@ export const fileMessages = {
   'closed-cracks': ({ count, width }) =>
     `${figure(count)}本の辺を、すき間をふさいで隣の辺とつなぎました。いちばん広いすき間は、モデルの単位で${rounded(width)}です`,
   'closed-t-junctions': told('edge', 'を、すき間をふさぐために隣の頂点の所で切りました'),
-  'crossing-bodies': ({ count }) =>
+  'crossing-bodies': ({ count, unitable }) =>
     `${figure(count)}組の立体が突き抜け合っています。組み立てると部品がぶつかるので、` +
-    'モデルを作るプログラムで1つにまとめてください',
+    (unitable > 0
+      ? '1つにまとめてください（--crossing unite）'
+      : 'モデルを作るプログラムで1つにまとめてください'),
   'crossings-unchecked': ({ count }) =>
     `面が${figure(count)}個と多すぎるので、立体が突き抜け合っていないか、ほかの立体の中にないかは調べていません`,
   'counts-from-zero': () =>
@@ -323,6 +325,8 @@ export const fileMessages = {
   ),
   'missing-endsolid': () =>
     "'endsolid'がないままファイルが終わっています。最後の三角形が足りないかもしれません",
+  'not-united': ({ count }) =>
+    `ほかの立体を突き抜けている${figure(count)}個の立体は、閉じていないのでまとめられませんでした（--fill-holes allで閉じられます）`,
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `ファイルの拡張子は.${ending}ですが、中身は${format}です`,
@@ -339,6 +343,9 @@ export const fileMessages = {
   'triangulated-polygons': told('face', 'には角が4つ以上あったので、三角形に分けました'),
   'unfilled-holes': ({ count }) =>
     `${figure(count)}個の穴は開いたままです。面を張ると、モデルを突き抜けるか、モデルに重なってしまいます`,
+  'united-bodies': ({ count, faces }) =>
+    `突き抜け合っていた${figure(count)}個の立体を1つにまとめました` +
+    (faces > 0 ? `（中に隠れた面${figure(faces)}個はなくなりました）` : ''),
   'welded-vertices': told('vertex', 'を、同じ場所の頂点と1つにまとめました'),
   'wrong-count': ({ count, announced }) =>
     `ヘッダーでは三角形が${figure(announced)}個のはずですが、ファイルには${figure(count)}個あります。すべて読み込みました`,

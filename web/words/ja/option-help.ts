@@ -13,6 +13,7 @@ export const optionHelp: Words['optionHelp'] = {
   faces: '先に三角形をN個まで減らします',
   'fill-holes': '幅がモデルのいちばん長い辺の何%までの穴をふさぐか。all：すべての穴',
   inside: 'ほかの立体の中にある立体。keep：残す。drop：省く',
+  crossing: '突き抜け合っている立体。keep：そのまま。unite：1つにまとめる',
   folding: '折る動きが見つからない展開図を、require：分ける、prefer：知らせる、off：調べない',
   clearance: '折る間に面どうしを離す距離。辺の平均の長さを1とします',
   height: '完成した高さ（下から上）。シートに入らない部品はさらに切り分けます',

@@ -241,6 +241,11 @@ export const page: Words['page'] = {
     inside: '中にある立体',
     insideKeep: '残す',
     insideDrop: '省く',
+    crossing: '突き抜け合う立体',
+    crossingKeep: 'そのまま',
+    crossingUnite: '1つにする',
+    crossingWords:
+      '立体が突き抜け合っていて、このままでは貼るときに部品がぶつかります。1つにまとめると、中に入る部分がなくなります。',
     triangles: '三角形',
     size: '実際の大きさ',
     tenHigh: '高さ10 cm',
