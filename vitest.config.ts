@@ -22,8 +22,8 @@ export default defineConfig({
         test: {
           name: 'browser',
           include: ['tests/e2e/**/*.test.ts'],
-          // One browser at a time: WebGL is drawn in software here and takes all cores.
-          fileParallelism: false,
+          // A browser waits for its page and its workers by turns, so two are done sooner than one after the other.
+          maxWorkers: 2,
           // After all others.
           sequence: { groupOrder: 1 },
           testTimeout: 120_000,

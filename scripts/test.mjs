@@ -1,11 +1,11 @@
 // All tests, in groups; the first group that fails ends the run. The runners' own summaries come last.
-import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { build } from './make/index.mjs';
 import { buildEngine } from './make/engine.mjs';
 import { setUp } from './setup/index.mjs';
 import { root } from './setup/paths.mjs';
-import { main, run, runTogether } from './setup/shell.mjs';
+import { main, run } from './setup/shell.mjs';
+import { runWasmTests } from './make/wasm-tests.mjs';
 
 const env = { FOLDWRIGHT_SHARED: join(root, '..', 'shared'), ...process.env };
 const options = { cwd: root, env };
@@ -15,22 +15,13 @@ const groups = {
   'set-up and build': () => {
     setUp({ withBrowser: true });
     build();
-    // The tests alone: linking the benchmarks as WASM would take longer than running all tests.
-    buildEngine('wasm', ['foldwright_tests']);
+    // `npm run test:wasm` builds and runs all tests as WASM.
+    buildEngine('wasm', ['foldwright_core_tests']);
     buildEngine('native', ['foldwright_tests', 'benchmarks']);
     buildEngine('fuzz', ['fuzzers']);
   },
   lint: () => node('scripts/lint.mjs'),
-  'engine as WASM under node': () => {
-    // GoogleTest's own way to share tests out: each process has one thread.
-    const count = availableParallelism();
-    const shard = (_, i) => ({
-      cwd: root,
-      env: { ...env, GTEST_TOTAL_SHARDS: String(count), GTEST_SHARD_INDEX: String(i) },
-    });
-    const program = ['build/wasm/foldwright_tests.cjs', '--gtest_brief=1'];
-    return runTogether(process.execPath, program, Array.from({ length: count }, shard));
-  },
+  'engine as WASM under node': () => runWasmTests('foldwright_core_tests', env),
   'engine, native': () => run('ctest', ['--preset', 'native'], options),
   'engine under a fuzzer, for a short run': () => run('ctest', ['--preset', 'fuzz'], options),
   // The other projects are `npm run test:browsers` and `npm run test:package`.

@@ -2,14 +2,11 @@ import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, type Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
+import { startChromium } from './chromium.js';
 
 const built = fileURLToPath(new URL('../../dist/studio', import.meta.url));
-const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
-
-/** WebGL in software, for machines without a graphics card. */
-const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 /** No more than a page needs that has the viewer from another origin. */
 function policyFor(origin: string): string {
@@ -51,7 +48,7 @@ export async function withViewerPage(
     await writeFile(join(folder, name), text);
   }
   const server = await serve(folder);
-  const browser = await chromium.launch({ executablePath, args });
+  const browser = await startChromium();
   try {
     const page = await browser.newPage({ reducedMotion: 'reduce' });
     const [loaded, complaints] = [new Set<string>(), [] as string[]];
