@@ -26,5 +26,13 @@ export default defineConfig(
     },
   },
   { files: ['**/*.{js,mjs}'], languageOptions: { globals: nodeGlobals } },
+  {
+    // What a page loads as it is.
+    files: ['web/app/public/*.js'],
+    languageOptions: {
+      sourceType: 'script',
+      globals: { document: 'readonly', MutationObserver: 'readonly' },
+    },
+  },
   { rules: { eqeqeq: 'error', 'prefer-const': 'error', 'no-var': 'error' } },
 );

@@ -242,9 +242,12 @@ test('the keyboard alone walks the pieces, moves and turns one, and lets it go a
     await button(page, 'Let it move').focus();
     await page.keyboard.press('Enter');
     await expect.poll(() => undo(page)).toBe('Undo: let C move');
+    await expect.poll(() => page.locator('.pin-sign').count()).toBe(0);
     await button(page, 'Keep it here').focus();
     await page.keyboard.press('Enter');
     await expect.poll(() => undo(page)).toBe('Undo: kept C in place');
+    await expect.poll(() => page.locator('.pin-sign').count()).toBe(1);
+    await studio.picture('pieces-pinned');
     // Out of the card, back to the sheets.
     await page.keyboard.press('Escape');
     expect(await page.locator('#piece-card').isHidden()).toBe(true);

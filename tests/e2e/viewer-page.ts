@@ -28,11 +28,20 @@ export interface ViewerPage {
 /** The size of what a host sends of these files of the build, compressed. */
 export const builtFile = (name: string): string => join(built, name);
 
-/** Opens a plain page with viewers, whose scripts come from another origin; hands it to `work` and closes it. */
+/** The modules of the viewer. */
+const moduleOf = (host: string): string =>
+  `<script type="module" src="${host}foldwright-viewer.js"></script>`;
+
+/**
+ * Opens a plain page with viewers, whose scripts come from another origin; hands it to `work` and closes it.
+ *
+ * @param scriptOf what loads them from a host
+ */
 export async function withViewerPage(
   markup: string,
   files: Record<string, string>,
   work: (page: ViewerPage) => Promise<void>,
+  scriptOf: (host: string) => string = moduleOf,
 ): Promise<void> {
   const folder = await mkdtemp(join(tmpdir(), 'foldwright-viewer-'));
   const host = await serve(built, { headers: { 'access-control-allow-origin': '*' } });
@@ -43,7 +52,7 @@ export async function withViewerPage(
       for (const type of ['load', 'unfold', 'error', 'fold-change', 'before-download', 'selection-change'])
         document.addEventListener(type, ({ detail }) => detail && heard.push({ type, ...detail }));
     </script>
-    <script type="module" src="${host.address}foldwright-viewer.js"></script>${markup}</html>`;
+    ${scriptOf(host.address)}${markup}</html>`;
   for (const [name, text] of Object.entries({ 'index.html': html, ...files })) {
     await writeFile(join(folder, name), text);
   }

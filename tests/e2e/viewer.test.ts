@@ -260,3 +260,23 @@ test('a viewer says what it cannot show, and waits to be asked', async () => {
     expect((await heard(page, 'error'))[1]).toMatchObject({ code: 'not-loaded' });
   });
 });
+
+test('one script without modules gets a page the elements that it has, now or later', async () => {
+  const { fold } = await unfoldedRing();
+  const markup = '<foldwright-viewer src="ring.fold" alt="A ring"></foldwright-viewer>';
+  await withViewerPage(
+    markup,
+    { 'ring.fold': fold },
+    async ({ page, loaded, complaints }) => {
+      expect(await waitFor(page, 'load')).toMatchObject({ name: 'ring.fold', isShown: true });
+      expect(loaded).not.toContain('foldwright-studio.js');
+      await page.evaluate(() => {
+        document.body.append(document.createElement('foldwright-studio'));
+        return customElements.whenDefined('foldwright-studio');
+      });
+      await page.locator('foldwright-studio').getByText('Choose a model').first().waitFor();
+      expect(complaints).toEqual([]);
+    },
+    (host) => `<script src="${host}foldwright-elements.js"></script>`,
+  );
+});

@@ -11,6 +11,7 @@ import { Panel } from './panel.js';
 import { PieceCard, type PieceCardContent } from './piece-card.js';
 import { PieceMover } from './piece-mover.js';
 import { pieceWords } from './piece-words.js';
+import { pinSigns } from './pin-places.js';
 import type { StudioPlace } from './place.js';
 import { finishedParts } from './result-words.js';
 import { sentence } from './sentence.js';
@@ -83,6 +84,7 @@ export class PieceTool extends Panel {
     this.chosen = face === null ? null : this.pieceWith(face);
     this.pointAt(null);
     this.mover.offer(this.pieces);
+    this.sheets.pin(pinSigns(this.told.pieces.staysHere, run.result, run.pins));
     this.show();
   }
 

@@ -1,11 +1,13 @@
 import type { JobResult, Piece } from '../model/job.js';
 import { lightEdges } from '../view/edge-lights.js';
 import { signLocks } from '../view/lock-signs.js';
+import { signPins } from '../view/pin-signs.js';
 import { markSheet } from '../view/sheet-marks.js';
 import type { LightsBySheet, LocksBySheet } from './edge-lighting.js';
 import { MatView } from './mat-view.js';
 import { nextFrame } from './next-frame.js';
 import { Panel } from './panel.js';
+import type { PinsBySheet } from './pin-places.js';
 import type { StudioPlace } from './place.js';
 import type { ResultWriter } from './result-writer.js';
 import { drawSheet, keyOf, partsOf } from './sheet-figure.js';
@@ -50,6 +52,7 @@ export class SheetList extends Panel {
   private marks: MarksBySheet = new Map();
   private lights: LightsBySheet = new Map();
   private locks: LocksBySheet = new Map();
+  private pins: PinsBySheet = new Map();
   private pieceLights = noLights;
   private selected: readonly number[] = [];
 
@@ -134,6 +137,7 @@ export class SheetList extends Panel {
     this.mark(this.marks);
     this.light(this.lights);
     this.lock(this.locks);
+    this.pin(this.pins);
     this.lightPieces(this.pieceLights);
     this.select(this.selected);
   }
@@ -141,28 +145,25 @@ export class SheetList extends Panel {
   /** Marks lines on the sheets, in place of those that were marked before. */
   mark(marks: MarksBySheet): void {
     this.marks = marks;
-    this.sheets.forEach((sheet, index) => {
-      const svg = sheet.querySelector('svg');
-      if (svg) markSheet(svg, marks.get(index) ?? []);
-    });
+    this.onPictures((svg, index) => markSheet(svg, marks.get(index) ?? []));
   }
 
   /** Lights edges on the sheets, in place of those that were lit before. */
   light(lights: LightsBySheet): void {
     this.lights = lights;
-    this.sheets.forEach((sheet, index) => {
-      const svg = sheet.querySelector('svg');
-      if (svg) lightEdges(svg, lights.get(index) ?? []);
-    });
+    this.onPictures((svg, index) => lightEdges(svg, lights.get(index) ?? []));
   }
 
   /** Puts signs of locks on the sheets, in place of those before. */
   lock(locks: LocksBySheet): void {
     this.locks = locks;
-    this.sheets.forEach((sheet, index) => {
-      const svg = sheet.querySelector('svg');
-      if (svg) signLocks(svg, locks.get(index) ?? []);
-    });
+    this.onPictures((svg, index) => signLocks(svg, locks.get(index) ?? []));
+  }
+
+  /** The same with signs of pins. */
+  pin(pins: PinsBySheet): void {
+    this.pins = pins;
+    this.onPictures((svg, index) => signPins(svg, pins.get(index) ?? []));
   }
 
   /**
@@ -225,6 +226,13 @@ export class SheetList extends Panel {
         area.toggleAttribute('data-selected', letters.has(area.dataset['area'] ?? ''));
       }
     }
+  }
+
+  private onPictures(draw: (svg: SVGSVGElement, sheet: number) => void): void {
+    this.sheets.forEach((sheet, index) => {
+      const svg = sheet.querySelector('svg');
+      if (svg) draw(svg, index);
+    });
   }
 
   private areaOf(name: string | null): SVGElement | null {

@@ -1,3 +1,4 @@
+import { putSigns, titled } from './sheet-signs.js';
 import { shape } from './svg-shape.js';
 
 /** A lock at an edge of a sheet; mm, y up, from the sheet's lower left. */
@@ -23,18 +24,16 @@ function drawSign({ as, title: told, from, to }: LockSign, height: number): SVGE
   const size = Math.min(largest, share * Math.hypot(x2 - x1, y2 - y1)) / 10;
   const place = `translate(${(x1 + x2) / 2} ${(y1 + y2) / 2}) scale(${size})`;
   const sign = shape('g', { transform: place, class: `lock-sign lock-sign--${as}` });
-  const title = shape('title', {});
-  title.textContent = told;
-  sign.append(title, shape('path', { d: shackle, fill: 'none' }), shape('path', { d: body }));
-  return sign;
+  sign.append(shape('path', { d: shackle, fill: 'none' }), shape('path', { d: body }));
+  return titled(sign, told);
 }
 
 /** Puts the signs of locks on the picture of a sheet, in place of those before. */
 export function signLocks(svg: SVGSVGElement, signs: readonly LockSign[]): void {
-  [...svg.children].find((child) => child.hasAttribute('data-locks'))?.remove();
-  if (signs.length === 0) return;
   const { height } = svg.viewBox.baseVal;
-  const group = shape('g', { 'data-locks': '' });
-  group.append(...signs.map((sign) => drawSign(sign, height)));
-  svg.append(group);
+  putSigns(
+    svg,
+    'locks',
+    signs.map((sign) => drawSign(sign, height)),
+  );
 }
