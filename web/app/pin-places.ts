@@ -21,13 +21,13 @@ function circleIn(corners: readonly [Point, Point, Point]): { at: Point; room: n
   return { at: [mean(0), mean(1)], room: twice / around };
 }
 
-/** The largest circle within a face of a piece that keeps off the piece's texts, in the piece's own coordinates. */
-function roomIn({ vertices, faces, labels }: Piece): { at: Point; room: number } {
+/** The middle of the largest circle in a face of a piece that keeps off the piece's texts, in the piece's coordinates. */
+function freePlaceIn({ vertices, faces, labels }: Piece): Point {
   const point = (corner: number): Point => {
     const vertex = 2 * faces[corner]!;
     return [vertices[vertex]!, vertices[vertex + 1]!];
   };
-  let best = { at: point(0), room: 0 };
+  let best: { at: Point; room: number } = { at: point(0), room: -Infinity };
   for (let face = 0; face < faces.length; face += 3) {
     const { at, room } = circleIn([point(face), point(face + 1), point(face + 2)]);
     const free = labels.reduce(
@@ -36,7 +36,7 @@ function roomIn({ vertices, faces, labels }: Piece): { at: Point; room: number }
     );
     if (free > best.room) best = { at, room: free };
   }
-  return best;
+  return best.at;
 }
 
 /** A sign for each piece that stays where it is. @param title says what it means */
@@ -48,9 +48,8 @@ export function pinSigns(
   const signs = new Map<number, PinSign[]>();
   for (const piece of pieces) {
     if (!pins.some((pin) => isPinOf(pin, piece))) continue;
-    const { at, room } = roomIn(piece);
-    if (room === 0) continue;
-    const sign: PinSign = { title, at: [piece.x + at[0], piece.y + at[1]], room };
+    const [x, y] = freePlaceIn(piece);
+    const sign: PinSign = { title, at: [piece.x + x, piece.y + y] };
     signs.set(piece.sheet, [...(signs.get(piece.sheet) ?? []), sign]);
   }
   return signs;

@@ -6,21 +6,17 @@ export interface PinSign {
   /** Says so. */
   title: string;
   at: readonly [x: number, y: number];
-  /** How far the piece reaches around that place, at least. */
-  room: number;
 }
 
-/** Radius in mm, and as a share of the room there is. */
-const largest = 2.5;
-const share = 0.8;
+/** Height in mm: smaller ones are not seen where a whole sheet is. */
+const height = 6;
 
-/** Of a picture of 10 around the middle: the needle below the head. */
-const needle = 'M0 0v5';
-const head = { cx: 0, cy: -1.5, r: 3 };
+/** 10 high, with its tip at the place: the needle below the head. */
+const needle = 'M0 -5v5';
+const head = { cx: 0, cy: -7, r: 3 };
 
-function drawSign({ title, at: [x, y], room }: PinSign, height: number): SVGElement {
-  const size = Math.min(largest, share * room) / 5;
-  const transform = `translate(${x} ${height - y}) scale(${size})`;
+function drawSign({ title, at: [x, y] }: PinSign, sheetHeight: number): SVGElement {
+  const transform = `translate(${x} ${sheetHeight - y}) scale(${height / 10})`;
   const sign = shape('g', { transform, class: 'pin-sign' });
   sign.append(shape('path', { d: needle }), shape('circle', head));
   return titled(sign, title);
@@ -28,10 +24,10 @@ function drawSign({ title, at: [x, y], room }: PinSign, height: number): SVGElem
 
 /** Puts the signs of pins on the picture of a sheet, in place of those before. */
 export function signPins(svg: SVGSVGElement, signs: readonly PinSign[]): void {
-  const { height } = svg.viewBox.baseVal;
+  const { height: sheetHeight } = svg.viewBox.baseVal;
   putSigns(
     svg,
     'pins',
-    signs.map((sign) => drawSign(sign, height)),
+    signs.map((sign) => drawSign(sign, sheetHeight)),
   );
 }
