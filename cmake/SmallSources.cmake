@@ -30,4 +30,6 @@ list(REMOVE_ITEM engine_sources ${small_sources})
 # Loops over all of a file, or a matrix: a model of a million triangles is read in seconds.
 set(loop_sources ${small_sources})
 list(FILTER loop_sources INCLUDE REGEX "/(read|repair)/|/spectral")
+# These go through few things, or call others that loop.
+list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|mend_bodies|repair|joints|model_files|model_format)\\.cpp$")
 list(REMOVE_ITEM small_sources ${loop_sources})
