@@ -242,7 +242,7 @@ export const page: Words['page'] = {
     inside: 'Körper in anderen',
     insideKeep: 'behalten',
     insideDrop: 'weglassen',
-    crossing: 'Körper, die durcheinander gehen',
+    crossing: 'Körper, die sich kreuzen',
     crossingKeep: 'behalten',
     crossingUnite: 'vereinen',
     crossingWords:
