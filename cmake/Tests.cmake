@@ -53,8 +53,8 @@ if(EMSCRIPTEN)
   # Some whole jobs, and what another machine could come to other results in: numbers, sizes of integers, exceptions. The
   # other tests find out here what they find out natively, and compile for minutes.
   set(core_tests ${test_sources})
-  string(JOIN "|" core corpus repro job "job_(cancel|compaction|folding)" wire task source_model repair unite_bodies "read_[a-z]+" random simplify
-         spectral tree_search genetic_search certificate foldable planner result)
+  string(JOIN "|" core job "job_(cancel|compaction|folding)" corpus repro task wire result source_model "read_[a-z]+"
+         repair unite_bodies simplify random spectral tree_search genetic_search certificate foldable planner)
   list(FILTER core_tests INCLUDE REGEX "/(${core})_test\\.cpp$")
   add_tests(foldwright_core_tests ${core_tests})
   foreach(program foldwright_tests foldwright_core_tests)

@@ -287,7 +287,7 @@ void unite_crossing_bodies(TriangleSoup& triangles, const Frame& frame, const Bo
   model.largest_move += frame.in_model_units(junctions.moved);
   const int left = count_sources(triangles, model.source_face_count, nullptr);
   report(model, "united-bodies", result.united, {{"faces", before - left}});
-  report(model, "not-united", result.apart);
+  report(model, "not-united", result.open + result.failed, {{"open", result.open}});
 }
 
 /// Makes an oriented manifold of the faces, and mends how its bodies lie.

@@ -17,77 +17,69 @@ struct Cluster {
   std::vector<int> faces;  ///< of the soup, in the order in which the solids have them
 };
 
-/// Sorts bodies by those that are to be united with each other.
-class Clusters {
- public:
-  Clusters(const TriangleSoup& soup, const BodyWork& work)
-      : soup_(soup), work_(work), joined_(static_cast<int>(work.cavity_of.size())) {
-    const std::vector<char>& closed = work.closed;
-    std::vector<char> is_apart(closed.size(), false);
-    crosses_.assign(closed.size(), false);
-    for (const auto& [a, b] : work.crossings.pairs) {
-      if (closed[a] && closed[b]) {
-        joined_.join(solid_of(a), solid_of(b));
-        crosses_[solid_of(a)] = crosses_[solid_of(b)] = true;
-      } else {
-        for (const int body : {a, b}) is_apart[body] = is_apart[body] || !closed[body];
-      }
-    }
-    apart_ = static_cast<int>(std::ranges::count(is_apart, true));
+/// The solid that a body belongs to, by its outer body: hollows belong to the body around them.
+int solid_of(const BodyWork& work, int body) {
+  return work.cavity_of[body] == -1 ? body : work.cavity_of[body];
+}
+
+Solid make_solid(const TriangleSoup& soup, const std::vector<int>& faces) {
+  std::vector<int> vertices;
+  for (const int f : faces) {
+    vertices.insert(vertices.end(), soup.faces[f].begin(), soup.faces[f].end());
   }
-
-  /// Open bodies, which have no inside.
-  int apart() const { return apart_; }
-
-  std::vector<Cluster> all() const {
-    // The solid of a body is that of the body whose hollow it is.
-    std::vector<std::vector<int>> faces_of(crosses_.size());
-    for (int f = 0; f < soup_.face_count(); ++f) faces_of[solid_of(work_.bodies[f])].push_back(f);
-    std::vector<Cluster> clusters;
-    std::vector<int> cluster_of(crosses_.size(), -1);
-    for (int body = 0; body < static_cast<int>(crosses_.size()); ++body) {
-      if (!crosses_[body]) continue;
-      int& cluster = cluster_of[joined_.find(body)];
-      if (cluster == -1) {
-        cluster = static_cast<int>(clusters.size());
-        clusters.emplace_back();
-      }
-      add(faces_of[body], clusters[cluster]);
-    }
-    return clusters;
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  const auto index_of = [&](int vertex) {
+    return static_cast<int>(std::ranges::lower_bound(vertices, vertex) - vertices.begin());
+  };
+  Solid solid;
+  for (const int v : vertices) solid.positions.push_back(soup.positions[v]);
+  for (const int f : faces) {
+    const auto& [a, b, c] = soup.faces[f];
+    solid.faces.push_back({index_of(a), index_of(b), index_of(c)});
   }
+  return solid;
+}
 
- private:
-  int solid_of(int body) const {
-    return work_.cavity_of[body] == -1 ? body : work_.cavity_of[body];
+/// The solids that cross, those together that do so one by one.
+std::vector<Cluster> crossing_solids(const TriangleSoup& soup, const BodyWork& work) {
+  const std::size_t count = work.closed.size();
+  UnionFind joined(static_cast<int>(count));
+  std::vector<char> crosses(count, false);
+  for (const auto& [a, b] : work.crossings.pairs) {
+    if (!work.closed[a] || !work.closed[b]) continue;
+    joined.join(solid_of(work, a), solid_of(work, b));
+    crosses[solid_of(work, a)] = crosses[solid_of(work, b)] = true;
   }
-
-  void add(const std::vector<int>& faces, Cluster& cluster) const {
-    Solid solid;
-    std::vector<int> vertices;
-    for (const int f : faces) {
-      vertices.insert(vertices.end(), soup_.faces[f].begin(), soup_.faces[f].end());
-    }
-    std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
-    const auto index_of = [&](int vertex) {
-      return static_cast<int>(std::ranges::lower_bound(vertices, vertex) - vertices.begin());
-    };
-    for (const int v : vertices) solid.positions.push_back(soup_.positions[v]);
-    for (const int f : faces) {
-      const auto& [a, b, c] = soup_.faces[f];
-      solid.faces.push_back({index_of(a), index_of(b), index_of(c)});
-    }
-    cluster.solids.push_back(std::move(solid));
-    cluster.faces.insert(cluster.faces.end(), faces.begin(), faces.end());
+  std::vector<std::vector<int>> faces_of(count);
+  for (int f = 0; f < soup.face_count(); ++f) {
+    const int solid = solid_of(work, work.bodies[f]);
+    if (crosses[solid]) faces_of[solid].push_back(f);
   }
+  std::vector<Cluster> clusters;
+  std::vector<int> cluster_of(count, -1);
+  for (std::size_t body = 0; body < count; ++body) {
+    if (!crosses[body]) continue;
+    int& at = cluster_of[joined.find(static_cast<int>(body))];
+    if (at == -1) {
+      at = static_cast<int>(clusters.size());
+      clusters.emplace_back();
+    }
+    Cluster& cluster = clusters[at];
+    cluster.solids.push_back(make_solid(soup, faces_of[body]));
+    cluster.faces.insert(cluster.faces.end(), faces_of[body].begin(), faces_of[body].end());
+  }
+  return clusters;
+}
 
-  const TriangleSoup& soup_;
-  const BodyWork& work_;
-  mutable UnionFind joined_;
-  std::vector<char> crosses_;
-  int apart_ = 0;
-};
+/// Number of open bodies that cross others.
+int count_open(const BodyWork& work) {
+  std::vector<char> is_open(work.closed.size(), false);
+  for (const auto& [a, b] : work.crossings.pairs) {
+    for (const int body : {a, b}) is_open[body] = !work.closed[body];
+  }
+  return static_cast<int>(std::ranges::count(is_open, true));
+}
 
 /// The place in the file of a point of a face.
 CornerOrigin origin_at(const TriangleSoup& soup, int face, const Vec3& point) {
@@ -129,14 +121,13 @@ void append(TriangleSoup& soup, const UnitedSolids& united, const std::vector<in
 }  // namespace
 
 UnitedBodies unite_bodies(TriangleSoup& soup, const BodyWork& work, const SolidUniter& unite) {
-  const Clusters clusters(soup, work);
-  UnitedBodies result{.apart = clusters.apart()};
+  UnitedBodies result{.open = count_open(work)};
   std::vector<char> keep(soup.faces.size(), true);
-  for (const Cluster& cluster : clusters.all()) {
+  for (const Cluster& cluster : crossing_solids(soup, work)) {
     const auto bodies = static_cast<int>(cluster.solids.size());
     const std::optional<UnitedSolids> united = unite ? unite(cluster.solids) : std::nullopt;
     if (!united) {
-      result.apart += bodies;
+      result.failed += bodies;
       continue;
     }
     result.united += bodies;

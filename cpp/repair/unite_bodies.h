@@ -9,7 +9,8 @@ namespace foldwright {
 /// What became of bodies that run through each other.
 struct UnitedBodies {
   int united = 0;  ///< bodies that became a share of another surface
-  int apart = 0;   ///< bodies that run through others and could not be united
+  int open = 0;    ///< bodies that run through others and have no inside
+  int failed = 0;  ///< bodies that have one, and could not be united all the same
 };
 
 /// Makes one surface of bodies that run through each other: what lies inside it is gone, and what

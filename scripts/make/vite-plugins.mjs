@@ -24,7 +24,7 @@ export function notePackages(name) {
   };
 }
 
-/** Puts the engine, the library that unites bodies, decoders and the renderer of PNG files beside the scripts, where node looks for them. */
+/** Puts all WASM beside the scripts, where node looks for it: the engine, and what it, readers and writers load at need. */
 export function copyWasm() {
   const files = {
     'foldwright.wasm': 'web/core/generated/foldwright.wasm',

@@ -12,17 +12,11 @@ const engine = [
 const emscriptenNeeds = ['clang-19', 'lld-19', 'llvm-19'];
 // Three whole browsers, and a screen for them.
 const engines = ['chromium', 'firefox-esr', 'webkit2gtk-driver', 'xvfb'];
-// A browser without windows, tools that judge the written PDF and SVG files, the formatter of C++, and libFuzzer with the compiler that
-// it belongs to.
+// A browser without windows, tools that judge the written PDF and SVG files, the formatter of C++, and libFuzzer with the
+// compiler that it belongs to.
 const testing = [
-  ...[
-    'chromium-headless-shell',
-    'poppler-utils',
-    'qpdf',
-    'librsvg2-bin',
-    'clang-format',
-    'clang-tidy',
-  ],
+  ...['chromium-headless-shell', 'poppler-utils', 'qpdf', 'librsvg2-bin'],
+  ...['clang-format', 'clang-tidy'],
   ...['clang-19', 'libclang-rt-19-dev'],
 ];
 

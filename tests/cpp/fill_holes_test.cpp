@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh_faults.h"
 #include "meshes.h"
 #include "model_text.h"
 #include "repair/repair.h"
+#include "sound_repair.h"
 
 namespace foldwright::testing {
 namespace {
@@ -51,17 +51,9 @@ PolygonSoup scaled(PolygonSoup whole, const Vec3& by) {
   return whole;
 }
 
-/// Repairs with holes up to this share of the longest side filled, and checks what holds always.
+/// Repairs with holes up to this share of the longest side filled.
 RepairedModel filled(const PolygonSoup& soup, double fill_holes) {
-  RepairedModel model = repair(soup, {.fill_holes = fill_holes});
-  EXPECT_EQ(fault_of(model.mesh), "");
-  EXPECT_EQ(bookkeeping_fault_of(model), "");
-  EXPECT_EQ(origin_fault_of(soup, model), "");
-  return model;
-}
-
-int count_of(const RepairedModel& model, std::string_view code) {
-  return repair_named(model.repairs, code).count;
+  return sound_repair(soup, {.fill_holes = fill_holes});
 }
 
 int filling_faces(const RepairedModel& model) {

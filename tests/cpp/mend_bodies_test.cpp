@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "mesh_faults.h"
 #include "meshes.h"
 #include "model_text.h"
 #include "repair/repair.h"
+#include "sound_repair.h"
 
 namespace foldwright::testing {
 namespace {
@@ -40,17 +40,9 @@ PolygonSoup together(const std::vector<PolygonSoup>& soups) {
   return soup(positions, polygons);
 }
 
-/// Repairs, and checks what holds always.
+/// Repairs.
 RepairedModel mended(const PolygonSoup& soup, bool drop_inner = false) {
-  RepairedModel model = repair(soup, {.drop_inner = drop_inner});
-  EXPECT_EQ(fault_of(model.mesh), "");
-  EXPECT_EQ(bookkeeping_fault_of(model), "");
-  EXPECT_EQ(origin_fault_of(soup, model), "");
-  return model;
-}
-
-int count_of(const RepairedModel& model, std::string_view code) {
-  return repair_named(model.repairs, code).count;
+  return sound_repair(soup, {.drop_inner = drop_inner});
 }
 
 int inner_bodies(const PolygonSoup& soup) {

@@ -10,25 +10,12 @@
 
 #include "geometry/random.h"
 #include "mesh/dual_graph.h"
-#include "mesh_faults.h"
 #include "meshes.h"
 #include "model_text.h"
+#include "sound_repair.h"
 
 namespace foldwright::testing {
 namespace {
-
-/// Repairs and checks all that is promised for every model.
-RepairedModel sound_repair(const PolygonSoup& soup) {
-  RepairedModel model = repair(soup);
-  EXPECT_EQ(fault_of(model.mesh), "");
-  EXPECT_EQ(bookkeeping_fault_of(model), "");
-  EXPECT_EQ(origin_fault_of(soup, model), "");
-  return model;
-}
-
-int count_of(const RepairedModel& model, std::string_view code) {
-  return repair_named(model.repairs, code).count;
-}
 
 /// The soup with all faces of another one added, shifted.
 PolygonSoup with(PolygonSoup soup, const PolygonSoup& other, const Vec3& shift) {

@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 
 #include "geometry/triangle3.h"
-#include "mesh_faults.h"
 #include "meshes.h"
 #include "model_text.h"
 #include "repair/repair.h"
+#include "sound_repair.h"
 
 namespace foldwright::testing {
 namespace {
@@ -121,15 +121,12 @@ std::optional<UnitedSolids> unite_cube_and_bar(const std::vector<Solid>& solids)
 }
 
 RepairedModel united(const PolygonSoup& soup, const SolidUniter& uniter) {
-  RepairedModel model = repair(soup, {.unite = true, .uniter = uniter});
-  EXPECT_EQ(fault_of(model.mesh), "");
-  EXPECT_EQ(bookkeeping_fault_of(model), "");
-  EXPECT_EQ(origin_fault_of(soup, model), "");
-  return model;
+  return sound_repair(soup, {.unite = true, .uniter = uniter});
 }
 
-int count_of(const RepairedModel& model, std::string_view code) {
-  return repair_named(model.repairs, code).count;
+/// The only parameter of a repair, besides its count.
+double parameter_of(const RepairedModel& model, std::string_view code) {
+  return std::get<double>(repair_named(model.repairs, code).parameters.at(0).value);
 }
 
 TEST(UniteBodies, MakesOneSurfaceOfBodiesThatCross) {
@@ -165,19 +162,20 @@ TEST(UniteBodies, TellsWhatStaysApart) {
                                     })}) {
     const RepairedModel model = united(boxes({kCube, kBar}), uniter);
     EXPECT_EQ(count_of(model, "not-united"), 2);
+    EXPECT_EQ(parameter_of(model, "not-united"), 0);
     EXPECT_EQ(count_of(model, "crossing-bodies"), 1);
   }
   // What is open has no inside, and is not handed to the uniter.
   const RepairedModel model = united(boxes({kCube, kBar}, true), unite_cube_and_bar);
   EXPECT_EQ(count_of(model, "not-united"), 1);
+  EXPECT_EQ(parameter_of(model, "not-united"), 1);
   EXPECT_EQ(count_of(model, "crossing-bodies"), 1);
   EXPECT_EQ(model.mesh.component_count, 2);
 }
 
 TEST(UniteBodies, TellsWhetherThereIsSomethingToUnite) {
   const auto unitable = [](const PolygonSoup& soup) {
-    const RepairedModel model = repair(soup);
-    return std::get<double>(repair_named(model.repairs, "crossing-bodies").parameters.at(0).value);
+    return parameter_of(repair(soup), "crossing-bodies");
   };
   EXPECT_EQ(unitable(boxes({kCube, kBar})), 1);
   EXPECT_EQ(unitable(boxes({kCube, kBar}, true)), 0);

@@ -1,9 +1,9 @@
 import { existsSync } from 'node:fs';
 import { chromium, type Browser } from 'playwright-core';
 
-/** Without windows, which are the half of a start, before the whole browser. */
-const programs = ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'];
-const executablePath = process.env['CHROMIUM'] ?? programs.find((path) => existsSync(path));
+/** Starts sooner than the whole browser, since it has no windows; not every system has it. */
+const shell = '/usr/bin/chromium-headless-shell';
+const executablePath = process.env['CHROMIUM'] ?? (existsSync(shell) ? shell : '/usr/bin/chromium');
 const usualFlags = [
   '--no-sandbox',
   // WebGL in software, for machines without a graphics card.
@@ -21,8 +21,5 @@ const usualFlags = [
 
 /** @param flags besides those that each gets */
 export function startChromium(flags: readonly string[] = []): Promise<Browser> {
-  return chromium.launch({
-    ...(executablePath && { executablePath }),
-    args: [...usualFlags, ...flags],
-  });
+  return chromium.launch({ executablePath, args: [...usualFlags, ...flags] });
 }

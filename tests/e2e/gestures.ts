@@ -7,7 +7,8 @@ import type { StudioPage } from './studio-page.js';
 /** Buttons that end the work on the page, or leave it. */
 const leaving = /^(?:Close|Show me how)/;
 
-const boundary = 60;
+/** Pixels that a piece is dragged by at most, to either side. */
+const reach = 60;
 
 /** What a person did, in words. */
 export type Deed = string;
@@ -104,7 +105,7 @@ export class Gestures {
       return null; // too thin to be held
     }
     const [x, y] = place;
-    const way = (): number => boundary * (2 * this.dice.roll() - 1);
+    const way = (): number => reach * (2 * this.dice.roll() - 1);
     const [dx, dy] = [way(), way()];
     await this.page.mouse.down();
     await this.page.mouse.move(x + dx, y + dy, { steps: 3 });

@@ -383,8 +383,12 @@ export const examples: readonly [KnownMessage, string][] = [
     '2 bodies that ran through each other were united',
   ],
   [
-    { code: 'not-united', params: { count: 1 } },
+    { code: 'not-united', params: { count: 1, open: 1 } },
     '1 body that runs through others could not be united with them: only what is closed has an inside (--fill-holes all closes it)',
+  ],
+  [
+    { code: 'not-united', params: { count: 3, open: 1 } },
+    '3 bodies that run through others could not be united with them; unite them in the modelling program',
   ],
   [
     { code: 'uniter-not-loaded', params: {} },

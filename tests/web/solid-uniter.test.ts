@@ -4,6 +4,7 @@ import { createRequire } from 'node:module';
 import { describe, expect, it } from 'vitest';
 import { makeUniter } from '../../web/core/solid-uniter.js';
 import type { Solid, UnitedSolids } from '../../web/model/solids.js';
+import { cube } from './fixtures.js';
 
 type Point = [number, number, number];
 
@@ -11,22 +12,11 @@ const uniter = makeUniter(
   await readFile(createRequire(import.meta.url).resolve('manifold-3d/manifold.wasm')),
 );
 
-const corners = [...Array(8).keys()];
-const sides = [
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-] as const;
-
 function box(least: Point, most: Point, isInsideOut = false): Solid {
-  const ends = [least, most];
-  const positions = corners.flatMap((i) => [0, 1, 2].map((k) => ends[(i >> k) & 1]![k]!));
-  const faces = sides.flatMap(([a, b, c, d]) =>
-    isInsideOut ? [c, b, a, d, c, a] : [a, b, c, a, c, d],
+  const positions = cube.vertices.flatMap((at) =>
+    at.map((coordinate, k) => (coordinate === 0 ? least : most)[k]!),
   );
+  const faces = cube.faces.flatMap((face) => (isInsideOut ? [...face].reverse() : face));
   return { positions: Float64Array.from(positions), faces: Int32Array.from(faces) };
 }
 

@@ -88,7 +88,8 @@ export interface EngineMessages {
   'inner-bodies': Counted;
   'merged-two-sided': Counted;
   'missing-endsolid': Counted;
-  'not-united': Counted;
+  /** And how many of them are open. */
+  'not-united': Counted & { open: number };
   'open-border': (Counted & { gap: number; what?: never }) | { what: 'edge' };
   /** How wide the widest is, how many are small, and what that means: in percent of the model's longest side. */
   'open-holes': Counted & { percent: number; small: number; small_percent: number };

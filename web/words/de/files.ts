@@ -322,9 +322,11 @@ export const fileMessages = {
     'ein zweites Mal von der anderen Seite angegeben; beide Seiten sind jetzt eine Haut aus Papier',
   ),
   'missing-endsolid': () => "die Datei endet ohne 'endsolid'; an ihrem Ende können Dreiecke fehlen",
-  'not-united': ({ count: number }) =>
-    `${count(number, 'Körper, der durch andere geht, ließ', 'Körper, die durch andere gehen, ließen')} sich nicht mit ihnen vereinen: ` +
-    'Nur was geschlossen ist, hat ein Inneres (--fill-holes all schließt es)',
+  'not-united': ({ count: number, open }) =>
+    `${count(number, 'Körper, der durch andere geht, ließ', 'Körper, die durch andere gehen, ließen')} sich nicht mit ihnen vereinen` +
+    (open === number
+      ? ': Nur was geschlossen ist, hat ein Inneres (--fill-holes all schließt es)'
+      : '; vereine sie im Modellierprogramm'),
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `die Datei heißt .${ending}, enthält aber ${format}`,

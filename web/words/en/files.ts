@@ -320,9 +320,11 @@ export const fileMessages = {
     'given a second time from the other side; both sides are one skin of paper now',
   ),
   'missing-endsolid': () => "the file ends without 'endsolid'; triangles may be missing at its end",
-  'not-united': ({ count: number }) =>
-    `${count(number, 'body that runs', 'bodies that run')} through others could not be united with them: ` +
-    'only what is closed has an inside (--fill-holes all closes it)',
+  'not-united': ({ count: number, open }) =>
+    `${count(number, 'body that runs', 'bodies that run')} through others could not be united with them` +
+    (open === number
+      ? ': only what is closed has an inside (--fill-holes all closes it)'
+      : '; unite them in the modelling program'),
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `the file is named .${ending}, but holds ${format}`,

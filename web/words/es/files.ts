@@ -348,9 +348,11 @@ export const fileMessages = {
     'otra vez desde el otro lado; ahora los dos lados son una sola piel de papel',
   ),
   'missing-endsolid': () => "el archivo termina sin 'endsolid'; pueden faltar triángulos al final",
-  'not-united': ({ count: number }) =>
-    `${count(number, 'cuerpo que atraviesa otros no se pudo', 'cuerpos que atraviesan otros no se pudieron')} unir con ellos: ` +
-    'solo lo que está cerrado tiene interior (--fill-holes all lo cierra)',
+  'not-united': ({ count: number, open }) =>
+    `${count(number, 'cuerpo que atraviesa otros no se pudo', 'cuerpos que atraviesan otros no se pudieron')} unir con ellos` +
+    (open === number
+      ? ': solo lo que está cerrado tiene interior (--fill-holes all lo cierra)'
+      : '; únelos en el programa de modelado'),
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `el archivo se llama .${ending}, pero contiene ${format}`,

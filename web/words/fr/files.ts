@@ -365,9 +365,11 @@ export const fileMessages = {
   ),
   'missing-endsolid': () =>
     "le fichier se termine sans 'endsolid'\u202f; il peut manquer des triangles à la fin",
-  'not-united': ({ count: number }) =>
-    `${count(number, 'corps qui en traverse d’autres n’a pas pu être réuni', 'corps qui en traversent d’autres n’ont pas pu être réunis')} avec eux\u202f: ` +
-    'seul ce qui est fermé a un intérieur (--fill-holes all le ferme)',
+  'not-united': ({ count: number, open }) =>
+    `${count(number, 'corps qui en traverse d’autres n’a pas pu être réuni', 'corps qui en traversent d’autres n’ont pas pu être réunis')} avec eux` +
+    (open === number
+      ? '\u202f: seul ce qui est fermé a un intérieur (--fill-holes all le ferme)'
+      : '\u202f; réunis-les dans le programme de modélisation'),
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) =>

@@ -325,8 +325,11 @@ export const fileMessages = {
   ),
   'missing-endsolid': () =>
     "'endsolid'がないままファイルが終わっています。最後の三角形が足りないかもしれません",
-  'not-united': ({ count }) =>
-    `ほかの立体を突き抜けている${figure(count)}個の立体は、閉じていないのでまとめられませんでした（--fill-holes allで閉じられます）`,
+  'not-united': ({ count, open }) =>
+    `ほかの立体を突き抜けている${figure(count)}個の立体は、` +
+    (open === count
+      ? '閉じていないのでまとめられませんでした（--fill-holes allで閉じられます）'
+      : 'まとめられませんでした。モデルを作るプログラムで1つにまとめてください'),
   'open-border': openBorder,
   'open-holes': openHoles,
   'other-format': ({ ending, format }) => `ファイルの拡張子は.${ending}ですが、中身は${format}です`,
