@@ -27,7 +27,7 @@ add_library(openmesh STATIC ${openmesh_sources})
 target_compile_definitions(openmesh PUBLIC OM_STATIC_BUILD)
 target_include_directories(openmesh SYSTEM PUBLIC "${openmesh_root}")
 # Optimised in the test build as well: only the project's own code is under test. Its warnings are not ours to mend.
-target_compile_options(openmesh PRIVATE -O3 -w)
+target_compile_options(openmesh PRIVATE $<IF:$<BOOL:${EMSCRIPTEN}>,-Os,-O3> -w)  # WASM is fetched: see SmallSources.cmake
 if(FOLDWRIGHT_SANITIZE)
   target_compile_options(openmesh PRIVATE -fno-sanitize=all)  # instrumented, one of its files alone compiles for minutes
 endif()

@@ -9,10 +9,10 @@ endif()
 set(cpp "${PROJECT_SOURCE_DIR}/cpp")
 file(GLOB_RECURSE small_sources CONFIGURE_DEPENDS
   "${cpp}/mesh/*.cpp" "${cpp}/paper/*.cpp" "${cpp}/pipeline/*.cpp" "${cpp}/read/*.cpp" "${cpp}/repair/*.cpp"
-  "${cpp}/segment/*.cpp")
+  "${cpp}/segment/*.cpp" "${cpp}/simplify/*.cpp")
 
 # Where jobs spend their time.
-set(fast_in_mesh nearest_face simplify surface_tree)
+set(fast_in_mesh nearest_face surface_tree)
 set(fast_in_paper craft_cost craft_sides flap_cover flap_room flaps label_space packing raster room_profile silhouette)
 set(fast_in_segment affinity analyze_unfolding concave_geodesic foldability k_means min_cut smooth_borders)
 foreach(folder mesh paper segment)
@@ -29,7 +29,14 @@ list(REMOVE_ITEM engine_sources ${small_sources})
 
 # Loops over all of a file, or a matrix: a model of a million triangles is read in seconds.
 set(loop_sources ${small_sources})
-list(FILTER loop_sources INCLUDE REGEX "/(read|repair)/|/spectral")
+list(FILTER loop_sources INCLUDE REGEX "/(read|repair|simplify)/|/spectral")
 # These go through few things, or call others that loop.
-list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|mend_bodies|repair|joints|model_files|model_format)\\.cpp$")
+list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|mend_bodies|repair|joints|model_files|model_format|mirror_half|simplify)\\.cpp$")
 list(REMOVE_ITEM small_sources ${loop_sources})
+
+# Elsewhere: what is done once per net, or for the few nets that need it.
+set(once_per_net fold/planner fold/shape_trees fold/waypoint_search geometry/box_pairs search/border_exchange search/genetic_search
+  unfold/congruence unfold/net)
+list(TRANSFORM once_per_net REPLACE ".+" "${cpp}/\\0.cpp")
+list(APPEND loop_sources ${once_per_net})
+list(REMOVE_ITEM engine_sources ${once_per_net})

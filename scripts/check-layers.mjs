@@ -5,7 +5,10 @@ import { sourceFiles } from './files.mjs';
 import { root } from './setup/paths.mjs';
 
 const unfold = ['unfold', 'mesh', 'geometry'];
-const engine = ['pipeline', 'segment', 'search', 'paper', 'fold', 'read', 'repair', ...unfold];
+const engine = [
+  ...['pipeline', 'segment', 'search', 'paper', 'fold', 'read', 'repair', 'simplify'],
+  ...unfold,
+];
 const web = ['view', 'project', 'export', 'core', 'read', 'browser', 'words', 'model'];
 
 /** What each folder may know besides itself. */
@@ -14,6 +17,7 @@ const mayKnow = {
   'cpp/mesh': ['geometry'],
   'cpp/read': ['mesh', 'geometry'],
   'cpp/repair': ['mesh', 'geometry'],
+  'cpp/simplify': ['mesh', 'geometry'],
   'cpp/unfold': ['mesh', 'geometry'],
   'cpp/fold': unfold,
   'cpp/segment': unfold,

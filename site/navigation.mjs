@@ -46,6 +46,7 @@ export const navigation = [
   {
     title: 'In depth',
     pages: [
+      '/simplification.html',
       '/parts.html',
       '/folding.html',
       '/paper.html',

@@ -13,6 +13,7 @@ export const repositoryPages = {
   'docs/package.md': '/package.html',
   'docs/paper.md': '/paper.html',
   'docs/segmentation.md': '/parts.html',
+  'docs/simplification.md': '/simplification.html',
   'docs/versions.md': '/versions.html',
 };
 

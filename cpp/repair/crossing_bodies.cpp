@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/box_pairs.h"
+#include "geometry/face_contact.h"
 #include "geometry/triangle3.h"
-#include "repair/face_contact.h"
 
 namespace foldwright {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "geometry/box_grid.h"
+#include "geometry/face_contact.h"
 #include "repair/border_loops.h"
-#include "repair/face_contact.h"
 #include "repair/span_loop.h"
 
 namespace foldwright {

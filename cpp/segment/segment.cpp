@@ -10,7 +10,7 @@
 #include "segment/concave_geodesic.h"
 #include "segment/connect_parts.h"
 #include "segment/hinge_measures.h"
-#include "segment/mirror.h"
+#include "segment/mirrored_panels.h"
 #include "segment/smooth_borders.h"
 #include "segment/spectral.h"
 #include "segment/subdivide.h"
@@ -63,7 +63,7 @@ std::vector<int> each_row(int count) {
 
 /// Per panel the one where its mirror image is; empty where there is no mirror plane.
 std::vector<int> mirror_images(const Mesh& mesh, const DualGraph& graph) {
-  const std::optional<Mirror> mirror = find_mirror(mesh, graph);
+  const std::optional<Mirror> mirror = find_mirror(mesh, graph.faces);
   return mirror ? mirrored_panels(mesh, graph, *mirror) : std::vector<int>{};
 }
 

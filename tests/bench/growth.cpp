@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "mesh/simplify.h"
+#include "mesh/decimate.h"
 #include "timed_job.h"
 
 namespace {
@@ -68,7 +68,7 @@ double peak_megabytes() {
 }
 
 void measure(const Mesh& full, int faces, const Wishes& wishes) {
-  const Mesh mesh = faces < full.face_count() ? simplify(full, {.target_faces = faces}) : full;
+  const Mesh mesh = faces < full.face_count() ? decimate(full, faces) : full;
   const std::string text = as_off(mesh);
   if (!wishes.keep.empty()) {
     std::ofstream(wishes.keep + "/" + std::to_string(faces) + ".off") << text;

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/simplify.h"
 #include "mesh/surface_tree.h"
 #include "mesh_faults.h"
 #include "meshes.h"
 #include "repair/repair.h"
+#include "simplify/simplify.h"
 
 namespace foldwright::testing {
 namespace {

@@ -5,12 +5,12 @@
 #include "job_runs.h"
 #include "mesh/carry_origins.h"
 #include "mesh/input_error.h"
-#include "mesh/simplify.h"
 #include "mesh_faults.h"
 #include "meshes.h"
 #include "pipeline/job.h"
 #include "read/read_model.h"
 #include "shared_models.h"
+#include "simplify/simplify.h"
 
 namespace foldwright::testing {
 namespace {

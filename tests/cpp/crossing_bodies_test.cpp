@@ -3,22 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "drawn_shapes.h"
+#include "face_crossings.h"
 #include "meshes.h"
 
 namespace foldwright::testing {
 namespace {
-
-/// Two meshes as one, the second shifted.
-Mesh both(const Mesh& first, const Mesh& second, const Vec3& shift) {
-  std::vector<Vec3> positions = first.positions;
-  std::vector<std::array<int, 3>> faces = first.faces;
-  for (const Vec3& p : second.positions) positions.push_back(p + shift);
-  for (auto face : second.faces) {
-    for (int& v : face) v += first.vertex_count();
-    faces.push_back(face);
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
 
 Crossings crossings_of(const Mesh& mesh) {
   return find_crossings({.positions = mesh.positions, .faces = mesh.faces, .source_faces = {}},

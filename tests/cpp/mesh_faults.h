@@ -14,6 +14,9 @@ namespace foldwright::testing {
 /// Empty when nothing does.
 std::string fault_of(const Mesh& mesh);
 
+/// The same of a simplified mesh, which may be off-centre.
+std::string fault_of_centred(Mesh mesh);
+
 /// What breaks the promises of `repair` beyond those of its mesh: a source face that is neither in
 /// `source_faces` nor counted as dropped, a repair reported twice. Empty when nothing does.
 std::string bookkeeping_fault_of(const RepairedModel& model);

@@ -196,6 +196,22 @@ Mesh open_strip(int squares) {
   return make_mesh(std::move(positions), std::move(faces));
 }
 
+Mesh open_sheet(int side) {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) positions.emplace_back(x, y, 0);
+  }
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int a = y * (side + 1) + x;
+      const int b = a + side + 1;
+      faces.insert(faces.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
+    }
+  }
+  return make_mesh(std::move(positions), std::move(faces));
+}
+
 Mesh two_sided_square() {
   // The diagonals differ, so that no edge has four faces.
   return make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
@@ -366,6 +382,12 @@ double signed_volume(const Mesh& mesh, int component) {
     sum += mesh.positions[a].dot(mesh.positions[b].cross(mesh.positions[c]));
   }
   return sum / 6;
+}
+
+double area_of(const Mesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) sum += face_area(mesh, f);
+  return sum;
 }
 
 int border_edge_count(const Mesh& mesh) {

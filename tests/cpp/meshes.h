@@ -32,6 +32,9 @@ Mesh pretzel();
 /// Flat open strip of `squares` unit squares in a row: 2 * squares triangles.
 Mesh open_strip(int squares);
 
+/// Flat open sheet of `side` x `side` unit squares, each in two triangles.
+Mesh open_sheet(int side);
+
 /// Square with a front and a back that share all four edges: closed, without volume.
 Mesh two_sided_square();
 
@@ -75,6 +78,9 @@ std::string obj_of(const Mesh& mesh);
 
 /// Volume enclosed by a closed component, positive when it is wound outwards.
 double signed_volume(const Mesh& mesh, int component = 0);
+
+/// Area of all faces.
+double area_of(const Mesh& mesh);
 
 /// Number of edges with one face.
 int border_edge_count(const Mesh& mesh);

@@ -1,4 +1,4 @@
-#include "segment/mirror.h"
+#include "mesh/mirror.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include "drawn_shapes.h"
 #include "geometry/random.h"
 #include "geometry/rigid_motion3.h"
+#include "mesh/dual_graph.h"
 #include "meshes.h"
 
 namespace foldwright::testing {
@@ -27,7 +28,7 @@ Mesh moved(Mesh mesh, const RigidMotion3& motion) {
 }
 
 std::optional<Mirror> mirror_of(const Mesh& mesh) {
-  return find_mirror(mesh, build_dual_graph(mesh));
+  return find_mirror(mesh, build_dual_graph(mesh).faces);
 }
 
 /// Angle between two planes with these unit normals, in degrees.
@@ -96,34 +97,6 @@ TEST(FindMirror, FindsNoneWhereThereIsNone) {
   for (Vec3& p : screw.positions)
     p = Eigen::AngleAxisd(p.y(), Vec3::UnitY()) * Vec3(2 * p.x(), 2 * p.y(), p.z());
   EXPECT_FALSE(mirror_of(screw));
-}
-
-TEST(MirroredPanels, PairPanelsOfEqualArea) {
-  for (const Mesh& mesh : {cube(), l_prism()}) {
-    const DualGraph graph = build_dual_graph(mesh);
-    const auto mirror = find_mirror(mesh, graph);
-    ASSERT_TRUE(mirror);
-    const std::vector<int> images = mirrored_panels(mesh, graph, *mirror);
-    ASSERT_EQ(static_cast<int>(images.size()), graph.panel_count());
-    for (int panel = 0; panel < graph.panel_count(); ++panel) {
-      EXPECT_EQ(images[images[panel]], panel);
-      EXPECT_NEAR(graph.areas[images[panel]], graph.areas[panel], 1e-6);
-    }
-  }
-}
-
-TEST(MirroredPanels, LieWhereTheImagesAre) {
-  const Mesh mesh = bilateral(800);
-  const DualGraph graph = build_dual_graph(mesh);
-  const std::vector<int> images = mirrored_panels(mesh, graph, {Vec3::UnitX(), 0, 0});
-  const auto centroid = [&](int panel) -> Vec3 {
-    const auto& [a, b, c] = mesh.faces[graph.panel_faces(panel)[0]];
-    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
-  };
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    const Vec3 image = centroid(panel).cwiseProduct(Vec3(-1, 1, 1));
-    EXPECT_LT((centroid(images[panel]) - image).norm(), 2 * graph.unit);
-  }
 }
 
 }  // namespace

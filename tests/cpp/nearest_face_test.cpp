@@ -4,8 +4,8 @@
 
 #include <numeric>
 
-#include "mesh/simplify.h"
 #include "meshes.h"
+#include "simplify/simplify.h"
 
 namespace foldwright::testing {
 namespace {

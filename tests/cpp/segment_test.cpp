@@ -7,11 +7,11 @@
 #include <set>
 
 #include "mesh/nearest_face.h"
-#include "mesh/simplify.h"
 #include "meshes.h"
 #include "parts.h"
-#include "segment/mirror.h"
+#include "segment/mirrored_panels.h"
 #include "segmentation_scores.h"
+#include "simplify/simplify.h"
 
 namespace foldwright::testing {
 namespace {

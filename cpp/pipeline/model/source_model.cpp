@@ -3,12 +3,13 @@
 #include <utility>
 
 #include "mesh/carry_origins.h"
+#include "mesh/look_regions.h"
 #include "mesh/nearest_face.h"
-#include "mesh/simplify.h"
 #include "read/read_model.h"
 #include "read/turn_up.h"
 #include "repair/joints.h"
 #include "repair/repair.h"
+#include "simplify/simplify.h"
 
 namespace foldwright {
 namespace {
@@ -66,7 +67,10 @@ PolygonSoup read_upright(const std::vector<ModelFile>& files, Up asked, SourceMo
 /// Makes a simpler mesh of about `wanted` faces, and remembers which face stands for which.
 void simplify_to(int wanted, SourceModel& model) {
   const Mesh mesh = std::move(model.mesh);
-  model.mesh = simplify(mesh, {.target_faces = wanted});
+  const std::vector<int> regions =
+      model.looks ? look_regions(mesh, model.looks->faces) : std::vector<int>{};
+  model.mesh = simplify(
+      mesh, {.target_faces = wanted, .regions = regions, .keep_mirror = true, .keep_apart = true});
   model.face_standins = nearest_faces(mesh, model.mesh);
   model.origins = carry_origins(mesh, model.origins, model.mesh);
   model.simplified_deviation = largest_deviation(mesh, model.mesh);

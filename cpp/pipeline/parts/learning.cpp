@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "mesh/connectivity.h"
+#include "mesh/decimate.h"
 #include "mesh/nearest_face.h"
-#include "mesh/simplify.h"
 
 namespace foldwright {
 namespace {
@@ -49,7 +49,7 @@ Learned choose_surface(const JobState& state, int index) {
   if (limit > 0 && face_count(component.graph) > limit) {
     const Mesh& mesh = state.model.surface->mesh;
     const Mesh own = submesh(mesh, component.graph.faces);
-    auto proxy = make_surface(kFirstProxySurface + index, simplify(own, {.target_faces = limit}));
+    auto proxy = make_surface(kFirstProxySurface + index, decimate(own, limit));
     // A proxy that fell apart, or cannot tell the wanted parts apart, would mislead.
     if (is_connected(proxy->graph) && 4 * component.parts <= proxy->graph.panel_count()) {
       std::vector<int> rows = rows_on_proxy(mesh, component.graph, own, *proxy);

@@ -1,4 +1,4 @@
-#include "repair/face_contact.h"
+#include "geometry/face_contact.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mesh/simplify.h"
+#include "mesh/decimate.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
@@ -85,8 +85,8 @@ Mesh from_halfedges(const HalfedgeMesh& halfedges, double scale) {
 
 }  // namespace
 
-Mesh simplify(const Mesh& mesh, const SimplifyOptions& options) {
-  if (mesh.face_count() <= options.target_faces) return mesh;
+Mesh decimate(const Mesh& mesh, int target_faces) {
+  if (mesh.face_count() <= target_faces) return mesh;
   HalfedgeMesh halfedges = to_halfedges(mesh);
   halfedges.request_face_normals();
   halfedges.update_face_normals();
@@ -98,7 +98,7 @@ Mesh simplify(const Mesh& mesh, const SimplifyOptions& options) {
   decimater.module(quadric).unset_max_err();
   decimater.module(flipping).set_max_normal_deviation(90);
   decimater.initialize();
-  decimater.decimate_to_faces(0, static_cast<std::size_t>(options.target_faces));
+  decimater.decimate_to_faces(0, static_cast<std::size_t>(target_faces));
   halfedges.garbage_collection();
   Mesh result = from_halfedges(halfedges, mean_edge_length(mesh));
   const std::vector<int> nearest = nearest_faces(result, mesh);

@@ -1,4 +1,4 @@
-#include "segment/mirror.h"
+#include "mesh/mirror.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,6 @@
 
 #include "geometry/box_tree.h"
 #include "geometry/triangle3.h"
-#include "mesh/nearest_face.h"
 
 namespace foldwright {
 namespace {
@@ -70,9 +69,9 @@ class SurfaceQuery {
   BoxTree tree_;
 };
 
-std::vector<Triangle3> triangles_of(const Mesh& mesh, const DualGraph& graph) {
+std::vector<Triangle3> triangles_of(const Mesh& mesh, std::span<const int> faces) {
   std::vector<Triangle3> triangles;
-  for (const int face : graph.faces) {
+  for (const int face : faces) {
     const auto& [a, b, c] = mesh.faces[face];
     triangles.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
   }
@@ -180,8 +179,8 @@ Mirror refined(const SurfaceQuery& surface, std::span<const Sample> samples, dou
 
 }  // namespace
 
-std::optional<Mirror> find_mirror(const Mesh& mesh, const DualGraph& graph, double tolerance) {
-  const SurfaceQuery surface(triangles_of(mesh, graph));
+std::optional<Mirror> find_mirror(const Mesh& mesh, std::span<const int> faces, double tolerance) {
+  const SurfaceQuery surface(triangles_of(mesh, faces));
   const std::vector<Sample> few = make_samples(surface.triangles(), kScreened);
   const std::vector<Sample> many = make_samples(surface.triangles(), kRefined);
   const Moments moments(many);
@@ -204,34 +203,6 @@ std::optional<Mirror> find_mirror(const Mesh& mesh, const DualGraph& graph, doub
   const Mirror best = *std::min_element(mirrors.begin(), mirrors.end(), by_error);
   if (!(best.error <= tolerance)) return std::nullopt;
   return best;
-}
-
-std::vector<int> mirrored_panels(const Mesh& mesh, const DualGraph& graph, const Mirror& mirror) {
-  const Mesh own = submesh(mesh, graph.faces);
-  std::vector<Vec3> positions;
-  for (const Vec3& p : own.positions) positions.push_back(mirror.image(p));
-  auto faces = own.faces;
-  for (auto& face : faces) std::swap(face[1], face[2]);
-  const std::vector<int> nearest = nearest_faces(make_mesh(std::move(positions), faces), own);
-  std::vector<int> panel_of;  // of each of the graph's faces, in their order
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    panel_of.resize(graph.first_face[panel + 1], panel);
-  }
-  std::vector<int> images;
-  std::vector<double> area(graph.panel_count(), 0);
-  for (int panel = 0; panel < graph.panel_count(); ++panel) {
-    int best = panel_of[nearest[graph.first_face[panel]]];
-    for (int i = graph.first_face[panel]; i < graph.first_face[panel + 1]; ++i) {
-      const int image = panel_of[nearest[i]];
-      area[image] += face_area(own, i);
-      if (area[image] > area[best]) best = image;
-    }
-    for (int i = graph.first_face[panel]; i < graph.first_face[panel + 1]; ++i) {
-      area[panel_of[nearest[i]]] = 0;
-    }
-    images.push_back(best);
-  }
-  return images;
 }
 
 }  // namespace foldwright

@@ -4,11 +4,11 @@
 
 namespace foldwright {
 
-struct SimplifyOptions {
-  int target_faces = 1000;
-};
-
-/// Decimates a mesh to about `target_faces` triangles by edge collapses of least quadric error.
+/// Decimates a mesh to about `target_faces` triangles for computations that need its coarse shape
+/// alone, as learning on large components does. What is to be folded is made by `simplify`, which
+/// takes care of their shapes; parts that were learned on such meshes are further from those that
+/// people draw (1 - Rand Index on the Princeton models 12.3 to 12.5 % over three seeds with this,
+/// 13.0 % with that).
 ///
 /// Manifold stays manifold, closed stays closed, components stay apart, and no collapse turns a
 /// normal by more than a right angle. How far a border moves counts as error too, so that sheets
@@ -16,6 +16,6 @@ struct SimplifyOptions {
 /// would break that; it is not centred anew. `source_faces` name the source of the nearest original
 /// face. A mesh of at most `target_faces` comes back as it is. Near-linear.
 /// Source: Garland, Heckbert 1997, with half-edge collapses.
-Mesh simplify(const Mesh& mesh, const SimplifyOptions& options = {});
+Mesh decimate(const Mesh& mesh, int target_faces);
 
 }  // namespace foldwright
