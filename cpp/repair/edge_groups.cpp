@@ -1,25 +1,43 @@
 #include "repair/edge_groups.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace foldwright {
+namespace {
+
+/// The lower and the higher vertex that a half-edge connects.
+std::pair<int, int> ends_of(const TriangleSoup& soup, int half_edge) {
+  return std::minmax({start_vertex(soup, half_edge), end_vertex(soup, half_edge)});
+}
+
+/// Puts half-edges in the order of a vertex of each, those of one vertex staying in theirs. Linear:
+/// sorting by comparison took half of the time of a repair.
+template <class VertexOf>
+void sort_by_vertex(std::vector<int>& half_edges, std::size_t vertex_count, VertexOf&& vertex_of) {
+  std::vector<int> next(vertex_count + 1, 0);
+  for (const int h : half_edges) ++next[vertex_of(h) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> sorted(half_edges.size());
+  for (const int h : half_edges) sorted[next[vertex_of(h)]++] = h;
+  half_edges = std::move(sorted);
+}
+
+}  // namespace
 
 EdgeGroups group_half_edges(const TriangleSoup& soup) {
-  std::vector<std::pair<std::uint64_t, int>> keyed;
-  keyed.reserve(soup.faces.size() * 3);
-  for (int h = 0; h < 3 * soup.face_count(); ++h) {
-    const auto [low, high] = std::minmax({start_vertex(soup, h), end_vertex(soup, h)});
-    keyed.emplace_back(static_cast<std::uint64_t>(low) << 32 | static_cast<unsigned>(high), h);
-  }
-  std::sort(keyed.begin(), keyed.end());
   EdgeGroups groups;
-  groups.half_edges.reserve(keyed.size());
-  for (std::size_t i = 0; i < keyed.size(); ++i) {
-    groups.half_edges.push_back(keyed[i].second);
-    if (i + 1 == keyed.size() || keyed[i + 1].first != keyed[i].first) {
-      groups.first.push_back(static_cast<int>(i) + 1);
+  groups.half_edges.resize(3 * soup.faces.size());
+  std::iota(groups.half_edges.begin(), groups.half_edges.end(), 0);
+  const auto lower = [&](int h) { return ends_of(soup, h).first; };
+  const auto higher = [&](int h) { return ends_of(soup, h).second; };
+  sort_by_vertex(groups.half_edges, soup.positions.size(), higher);
+  sort_by_vertex(groups.half_edges, soup.positions.size(), lower);
+  const std::vector<int>& sorted = groups.half_edges;
+  for (std::size_t i = 1; i <= sorted.size(); ++i) {
+    if (i == sorted.size() || ends_of(soup, sorted[i]) != ends_of(soup, sorted[i - 1])) {
+      groups.first.push_back(static_cast<int>(i));
     }
   }
   return groups;

@@ -9,7 +9,7 @@
 
 #include "simplify/crossing_guard.h"
 #include "simplify/face_shape.h"
-#include "simplify/quadric.h"
+#include "simplify/surface_quadrics.h"
 
 namespace foldwright {
 namespace {
@@ -18,18 +18,6 @@ using Connectivity = OpenMesh::TriConnectivity;
 using VertexHandle = Connectivity::VertexHandle;
 using EdgeHandle = Connectivity::EdgeHandle;
 using HalfedgeHandle = Connectivity::HalfedgeHandle;
-
-// Leaving a border costs as much as leaving a face beside it that is ten times as long as wide:
-// the outline of a sheet is what is seen of it. Edges between regions weigh less, since they move
-// along a surface that holds them as well.
-constexpr double kBorderWeight = 10;
-constexpr double kRegionWeight = 1;
-
-// A collapse may turn a face's normal by as much as has this cosine.
-constexpr double kLeastTurn = 0.35;
-
-// A face whose altitude is a smaller share of its longest edge has no normal to speak of.
-constexpr double kFlattest = 1e-3;
 
 // A place further from an edge than this many of its lengths is due to nearly parallel planes.
 constexpr double kFurthest = 1;
@@ -63,20 +51,7 @@ struct Outcome {
   double cost;
 };
 
-Vec3 area_vector(const Triangle3& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]); }
-
-double longest_edge(const Triangle3& t) {
-  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-}
-
-/// Whether a face may become another one by a collapse.
-bool may_become(const Triangle3& before, const Triangle3& after) {
-  const Vec3 now = area_vector(after);
-  const double longest = longest_edge(after);
-  if (2 * now.norm() < kFlattest * longest * longest) return false;
-  const Vec3 then = area_vector(before);
-  return then.dot(now) >= kLeastTurn * then.norm() * now.norm();
-}
+double square(double x) { return x * x; }
 
 double area_of(const Mesh& mesh) {
   double area = 0;
@@ -87,10 +62,12 @@ double area_of(const Mesh& mesh) {
 class EdgeCollapse {
  public:
   EdgeCollapse(const Mesh& mesh, const CollapseOptions& options)
-      : options_(options), positions_(mesh.positions), face_count_(mesh.face_count()) {
+      : options_(options),
+        positions_(mesh.positions),
+        quadrics_(surface_quadrics(mesh, options.regions, options.plane)),
+        face_count_(mesh.face_count()) {
     if (options_.plane) is_on_ = options_.plane->is_on;
     build(mesh);
-    add_quadrics(mesh);
     Eigen::AlignedBox3d box;
     for (const Vec3& p : positions_) box.extend(p);
     extent_ = box.diagonal().norm();
@@ -134,43 +111,6 @@ class EdgeCollapse {
     connectivity_.request_edge_status();
     connectivity_.request_halfedge_status();
     connectivity_.request_face_status();
-  }
-
-  void add_quadrics(const Mesh& mesh) {
-    quadrics_.resize(positions_.size());
-    for (const auto& face : mesh.faces) {
-      const Triangle3 t = corners_of_vertices(face);
-      const Vec3 area = area_vector(t);
-      const double size = area.norm();
-      if (size == 0) continue;
-      for (const int v : face) quadrics_[v].add_plane(area / size, t[0], size / 3);
-    }
-    for (const Mesh::Edge& edge : mesh.edges) {
-      const double weight = edge_weight(edge);
-      if (weight == 0) continue;
-      for (const int face : edge.faces) {
-        if (face >= 0) add_wall(edge, corners_of_vertices(mesh.faces[face]), weight);
-      }
-    }
-  }
-
-  double edge_weight(const Mesh::Edge& edge) const {
-    const auto [a, b] = edge.vertices;
-    if (edge.faces[1] < 0) return is_on(a) && is_on(b) ? 0 : kBorderWeight;
-    if (options_.regions.empty()) return 0;
-    const bool parts = options_.regions[edge.faces[0]] != options_.regions[edge.faces[1]];
-    return parts ? kRegionWeight : 0;
-  }
-
-  /// Adds the plane through an edge that stands upright on a face beside it.
-  void add_wall(const Mesh::Edge& edge, const Triangle3& face, double weight) {
-    const Vec3& from = positions_[edge.vertices[0]];
-    const Vec3 along = positions_[edge.vertices[1]] - from;
-    const Vec3 across = along.cross(area_vector(face));
-    if (across.squaredNorm() == 0) return;
-    for (const int v : edge.vertices) {
-      quadrics_[v].add_plane(across.normalized(), from, weight * along.squaredNorm() / 3);
-    }
   }
 
   bool is_on(int vertex) const { return options_.plane && is_on_[vertex]; }
@@ -236,7 +176,7 @@ class EdgeCollapse {
     if (!keeps_plane(from, to) || !keeps_plane(to, from)) return std::nullopt;
     gather_fan(from, to);
     const Quadric quadric = joined_quadric(from, to);
-    const double nothing = kNothing * std::pow((positions_[from] - positions_[to]).norm(), 4);
+    const double nothing = kNothing * square((positions_[from] - positions_[to]).squaredNorm());
     std::optional<Outcome> best;
     const auto look_at = [&](const Vec3& place) {
       if (!is_on_right_side(place, from, to)) return;
@@ -343,7 +283,7 @@ class EdgeCollapse {
       const Triangle3 before = corners_of_vertices(face.vertices);
       Triangle3 after = before;
       after[face.corner] = place;
-      if (!may_become(before, after)) return std::nullopt;
+      if (!keeps_facing(before, after)) return std::nullopt;
       change += shape_cost(after, usual) - shape_cost(before, usual);
     }
     for (const FanFace& face : removed_) {

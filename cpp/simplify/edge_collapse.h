@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "simplify/surface_quadrics.h"
 
 namespace foldwright {
-
-/// A plane with the surface on one side of it, whose mirror image will be put on the other side.
-struct SymmetryPlane {
-  Vec3 normal;  ///< of unit length, towards the surface
-  double offset;
-  std::vector<bool> is_on;  ///< per vertex, whether it is glued to its own image
-};
 
 struct CollapseOptions {
   int target_faces;

@@ -21,20 +21,40 @@ constexpr double kLowWeight = 3e-4;
 // Longer edges count like those of so many usual ones: what is long in the model must stay so.
 constexpr double kLongest = 2;
 
+// A collapse may turn a face's normal by as much as has this cosine.
+constexpr double kLeastTurn = 0.35;
+
+// A face whose altitude is a smaller share of its longest edge has no normal to speak of.
+constexpr double kFlattest = 1e-3;
+
 double square(double x) { return x * x; }
+
+Vec3 doubled_area(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
+
+/// Square of the length of the longest edge.
+double longest_edge2(const Triangle3& t) {
+  return std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+}
 
 }  // namespace
 
 double shape_cost(const Triangle3& t, double usual) {
-  const double longest2 = std::max(
-      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+  const double longest2 = longest_edge2(t);
   if (longest2 == 0) return kThinWeight * square(square(usual));
-  const double doubled_area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
-  const double thinness = std::max(0.0, 1 - doubled_area / longest2 / kThin);
-  const double altitude = doubled_area / std::sqrt(longest2);
+  const double area2 = doubled_area(t).norm();
+  const double thinness = std::max(0.0, 1 - area2 / longest2 / kThin);
+  const double altitude = area2 / std::sqrt(longest2);
   const double lowness = std::max(0.0, 1 - altitude / (kLow * usual));
   const double size2 = std::min(longest2, square(kLongest * usual));
   return kThinWeight * square(size2 * thinness) + kLowWeight * square(usual * usual * lowness);
+}
+
+bool keeps_facing(const Triangle3& before, const Triangle3& after) {
+  const Vec3 now = doubled_area(after);
+  if (now.norm() < kFlattest * longest_edge2(after)) return false;
+  const Vec3 then = doubled_area(before);
+  return then.dot(now) >= kLeastTurn * then.norm() * now.norm();
 }
 
 }  // namespace foldwright

@@ -12,4 +12,8 @@ namespace foldwright {
 /// that it weighs against the errors of its neighbourhood at any stage.
 double shape_cost(const Triangle3& t, double usual);
 
+/// Whether a triangle that takes the place of another one faces the same way, up to some 70
+/// degrees, and has an area to do so with.
+bool keeps_facing(const Triangle3& before, const Triangle3& after);
+
 }  // namespace foldwright

@@ -41,5 +41,14 @@ TEST(ShapeCost, IsFiniteForATriangleWithoutSize) {
   EXPECT_TRUE(std::isfinite(shape_cost(isosceles(0, 0), 1)));
 }
 
+TEST(KeepsFacing, RefusesTurnsAndNeedles) {
+  const Triangle3 flat = isosceles(1, 1);
+  EXPECT_TRUE(keeps_facing(flat, flat));
+  EXPECT_FALSE(keeps_facing(flat, {flat[0], flat[2], flat[1]}));
+  EXPECT_TRUE(keeps_facing(flat, {flat[0], flat[1], Vec3(0.5, 0.5, 0.8)}));   // 58 degrees
+  EXPECT_FALSE(keeps_facing(flat, {flat[0], flat[1], Vec3(0.5, 0.2, 0.8)}));  // 76 degrees
+  EXPECT_FALSE(keeps_facing(flat, isosceles(1, 1e-4)));
+}
+
 }  // namespace
 }  // namespace foldwright::testing
