@@ -34,6 +34,27 @@ TEST(ModelMemory, ReadsTheSameFilesOnce) {
   EXPECT_NE(memory.read(files_of(obj_of(cube())), {.up = Up::kZ})->mesh.face_count(), 4);
 }
 
+TEST(ModelMemory, SimplifiesTheWholeModelThatItHas) {
+  ModelMemory memory;
+  const auto files = files_of(obj_of(bumpy_sphere(600)));
+  const auto whole = memory.read(files, {});
+  const auto simple = memory.read(files, {.faces = 100});
+  EXPECT_EQ(memory.read(files, {.faces = 100}), simple);
+  EXPECT_EQ(memory.read(files, {}), whole);
+  EXPECT_EQ(memory.read(files, {.faces = 5000}), whole);
+  for (const int faces : {100, 200}) {
+    const auto again = memory.read(files, {.faces = faces});
+    const SourceModel alone = read_source_model(files, {.faces = faces});
+    EXPECT_LE(again->mesh.face_count(), faces);
+    EXPECT_EQ(again->mesh.faces, alone.mesh.faces);
+    EXPECT_EQ(again->mesh.positions, alone.mesh.positions);
+    EXPECT_EQ(again->face_standins, alone.face_standins);
+    EXPECT_EQ(again->source_faces, alone.source_faces);
+    EXPECT_EQ(again->simplified_deviation, alone.simplified_deviation);
+    EXPECT_EQ(again->file_face_count, alone.file_face_count);
+  }
+}
+
 TEST(ModelMemory, KeepsNothingOfAFileThatGivesNoModel) {
   ModelMemory memory;
   const auto files = files_of(obj_of(tetrahedron()));

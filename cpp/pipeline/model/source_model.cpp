@@ -64,15 +64,22 @@ PolygonSoup read_upright(const std::vector<ModelFile>& files, Up asked, SourceMo
   return soup;
 }
 
-/// Makes a simpler mesh of about `wanted` faces, and remembers which face stands for which.
-void simplify_to(int wanted, SourceModel& model) {
-  const Mesh mesh = std::move(model.mesh);
+/// A simpler model of about `wanted` faces, which remembers which face stands for which.
+SourceModel simplified(const SourceModel& whole, int wanted) {
+  SourceModel model;
+  model.file = whole.file;
+  model.repairs = whole.repairs;
+  model.file_face_count = whole.file_face_count;
+  model.source_faces = whole.source_faces;
+  model.looks = whole.looks;
+  model.notices = whole.notices;
+  const Mesh& mesh = whole.mesh;
   const std::vector<int> regions =
       model.looks ? look_regions(mesh, model.looks->faces) : std::vector<int>{};
   model.mesh = simplify(
       mesh, {.target_faces = wanted, .regions = regions, .keep_mirror = true, .keep_apart = true});
   model.face_standins = nearest_faces(mesh, model.mesh);
-  model.origins = carry_origins(mesh, model.origins, model.mesh);
+  model.origins = carry_origins(mesh, whole.origins, model.mesh);
   model.simplified_deviation = largest_deviation(mesh, model.mesh);
   model.mesh.joints = find_joints(model.mesh);
   if (model.looks) model.looks->original = {mesh.positions, mesh.faces};
@@ -81,26 +88,16 @@ void simplify_to(int wanted, SourceModel& model) {
   if (model.mesh.face_count() > wanted) {
     model.notices.push_back({"faces-above-wish", {{"faces", model.mesh.face_count()}}});
   }
+  return model;
 }
 
-/// Whatever the model depends on. Bytes are told apart by their hash: copies would cost as much
-/// memory again.
-std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& options) {
-  std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
-                    std::to_string(options.faces) + ' ' + std::to_string(options.fill_holes) + ' ' +
-                    std::to_string(options.drop_inner) + ' ' + std::to_string(options.unite);
-  for (const ModelFile& file : files) {
-    const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
-    key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +
-           hash_of({bytes, file.bytes.size()});
-  }
-  return key;
+bool is_too_fine(const SourceModel& model, int wanted) {
+  return wanted > 0 && model.mesh.face_count() > wanted;
 }
 
-}  // namespace
-
-SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options,
-                              const SolidUniter& uniter) {
+/// The model among the files as it is after repair, however many faces it has.
+SourceModel read_whole(const std::vector<ModelFile>& files, const ModelOptions& options,
+                       const SolidUniter& uniter) {
   SourceModel model;
   const PolygonSoup soup = read_upright(files, options.up, model);
   RepairedModel repaired = repair(soup, {.fill_holes = options.fill_holes / 100,
@@ -113,21 +110,48 @@ SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOp
   model.repairs = std::move(repaired.repairs);
   model.file_face_count = repaired.source_face_count;
   model.source_faces = model.mesh.source_faces;
-  const bool is_too_fine = options.faces > 0 && model.mesh.face_count() > options.faces;
-  if (is_too_fine) simplify_to(options.faces, model);
   return model;
+}
+
+/// Whatever the whole model depends on. Bytes are told apart by their hash: copies would cost as
+/// much memory again.
+std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& options) {
+  std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
+                    std::to_string(options.fill_holes) + ' ' + std::to_string(options.drop_inner) +
+                    ' ' + std::to_string(options.unite);
+  for (const ModelFile& file : files) {
+    const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
+    key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +
+           hash_of({bytes, file.bytes.size()});
+  }
+  return key;
+}
+
+}  // namespace
+
+SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options,
+                              const SolidUniter& uniter) {
+  SourceModel whole = read_whole(files, options, uniter);
+  return is_too_fine(whole, options.faces) ? simplified(whole, options.faces) : std::move(whole);
 }
 
 std::shared_ptr<const SourceModel> ModelMemory::read(const std::vector<ModelFile>& files,
                                                      const ModelOptions& options,
                                                      const SolidUniter& uniter) {
   std::string key = key_of(files, options);
-  if (!model_ || key != key_) {
-    model_.reset();
-    model_ = std::make_shared<const SourceModel>(read_source_model(files, options, uniter));
+  if (!whole_ || key != key_) {
+    simple_.reset();
+    whole_.reset();
+    whole_ = std::make_shared<const SourceModel>(read_whole(files, options, uniter));
     key_ = std::move(key);
   }
-  return model_;
+  if (!is_too_fine(*whole_, options.faces)) return whole_;
+  if (!simple_ || faces_ != options.faces) {
+    simple_.reset();
+    simple_ = std::make_shared<const SourceModel>(simplified(*whole_, options.faces));
+    faces_ = options.faces;
+  }
+  return simple_;
 }
 
 }  // namespace foldwright

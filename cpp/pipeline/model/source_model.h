@@ -35,18 +35,22 @@ struct SourceModel {
 SourceModel read_source_model(const std::vector<ModelFile>& files, const ModelOptions& options,
                               const SolidUniter& uniter = {});
 
-/// The model that was read last, for jobs that change a result of the same files.
+/// The model that was read last, whole and simplified, for jobs that change a result of the same
+/// files, or ask for another number of faces.
 class ModelMemory {
  public:
-  /// As `read_source_model`, which is called only if files or options are others than before.
-  /// Models are told apart by the names, sizes and hashes of their files.
+  /// As `read_source_model`. Files are read and repaired only if they or other options than
+  /// `faces` are others than before; they are told apart by names, sizes and hashes. Holds one
+  /// whole model and one simplified one: some 250 bytes per face.
   std::shared_ptr<const SourceModel> read(const std::vector<ModelFile>& files,
                                           const ModelOptions& options,
                                           const SolidUniter& uniter = {});
 
  private:
-  std::string key_;
-  std::shared_ptr<const SourceModel> model_;
+  std::string key_;  ///< of the whole model
+  std::shared_ptr<const SourceModel> whole_;
+  std::shared_ptr<const SourceModel> simple_;  ///< null: none was asked for
+  int faces_ = 0;                              ///< that the simplified one was asked for
 };
 
 }  // namespace foldwright
