@@ -54,7 +54,7 @@ if(EMSCRIPTEN)
   # other tests find out here what they find out natively, and compile for minutes.
   set(core_tests ${test_sources})
   string(JOIN "|" core job "job_(cancel|compaction|folding)" corpus repro task wire result source_model "read_[a-z]+"
-         repair unite_bodies simplify random spectral tree_search genetic_search certificate foldable planner)
+         repair unite_bodies fewer_faces simplify random spectral tree_search genetic_search certificate foldable planner)
   list(FILTER core_tests INCLUDE REGEX "/(${core})_test\\.cpp$")
   add_tests(foldwright_core_tests ${core_tests})
   foreach(program foldwright_tests foldwright_core_tests)

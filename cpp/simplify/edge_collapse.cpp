@@ -154,8 +154,7 @@ class EdgeCollapse {
     queue_.pop();
     const EdgeHandle edge(next.edge);
     if (next.version != versions_[next.edge] || connectivity_.status(edge).deleted()) return;
-    // The faces around it count only now; they may have changed since it was looked at last as
-    // well.
+    // What the shapes of its faces cost counts only now, and they may have changed meanwhile.
     const auto outcome = evaluate(edge);
     is_refused_[next.edge] = true;
     if (!outcome) return;

@@ -19,6 +19,12 @@ struct CollapseOptions {
   bool keep_apart = true;
 };
 
+struct CollapsedMesh {
+  std::vector<Vec3> positions;
+  std::vector<std::array<int, 3>> faces;
+  std::vector<bool> is_on_plane;  ///< per vertex; empty without a plane
+};
+
 /// Collapses edges in the order of their cost until a mesh has `target_faces` faces: quadric error
 /// of the best place of the vertex that comes of it (Garland, Heckbert 1997), borders and edges
 /// between regions weighted in, and what the shapes of the faces around it cost more or less than
@@ -29,11 +35,6 @@ struct CollapseOptions {
 /// that it did not run through before, by more than a touch, once there are so few that looking
 /// costs little (30,000). There may be more faces than asked for where no other collapse is
 /// allowed. `source_faces` are not carried over. Near-linear, deterministic.
-struct CollapsedMesh {
-  std::vector<Vec3> positions;
-  std::vector<std::array<int, 3>> faces;
-  std::vector<bool> is_on_plane;  ///< per vertex; empty without a plane
-};
 CollapsedMesh collapse_edges(const Mesh& mesh, const CollapseOptions& options);
 
 }  // namespace foldwright

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "face_crossings.h"
 #include "mesh/carry_origins.h"
 #include "mesh/surface_tree.h"
+#include "meshes.h"
 
 namespace foldwright::testing {
 
@@ -20,22 +20,12 @@ struct Simplified {
   double thin;            ///< percent of faces with an angle of less than 15 degrees
   double low;             ///< percent of faces with an altitude below 15 % of the usual edge
   int crossings;          ///< pairs of faces without a common vertex that run through each other
-  double border;          ///< length of the border over that of the original one, percent
 };
 
 inline double diagonal_of(const Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : mesh.positions) box.extend(p);
   return box.diagonal().norm();
-}
-
-inline double border_length(const Mesh& mesh) {
-  double length = 0;
-  for (const Mesh::Edge& edge : mesh.edges) {
-    if (edge.faces[1] >= 0) continue;
-    length += (mesh.positions[edge.vertices[0]] - mesh.positions[edge.vertices[1]]).norm();
-  }
-  return length;
 }
 
 inline Simplified measured(const Mesh& original, const Mesh& simple) {
@@ -50,27 +40,18 @@ inline Simplified measured(const Mesh& original, const Mesh& simple) {
     result.mean_deviation += std::sqrt(surface.squared_distance(nearest, p));
   }
   result.mean_deviation *= 100 / diagonal / original.vertex_count();
-  double area = 0;
-  for (int f = 0; f < simple.face_count(); ++f) area += face_area(simple, f);
-  const double usual = std::sqrt(4 * area / (std::sqrt(3) * simple.face_count()));
+  const double usual = std::sqrt(4 * area_of(simple) / (std::sqrt(3) * simple.face_count()));
   result.worst_angle = 180;
   for (int f = 0; f < simple.face_count(); ++f) {
     const Triangle3 t = corners_of(simple, f);
-    double least = 180;
-    double longest = 0;
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 a = t[(i + 1) % 3] - t[i];
-      const Vec3 b = t[(i + 2) % 3] - t[i];
-      longest = std::max(longest, a.norm());
-      least = std::min(least, std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi);
-    }
+    const double least = sharpest_corner(t);
+    const double longest =
+        std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     result.worst_angle = std::min(result.worst_angle, least);
     result.thin += 100.0 * (least < 15) / simple.face_count();
     result.low += 100.0 * (2 * face_area(simple, f) / longest < 0.15 * usual) / simple.face_count();
   }
   result.crossings = crossing_count(simple);
-  const double border = border_length(original);
-  result.border = border > 0 ? 100 * border_length(simple) / border : 100;
   return result;
 }
 

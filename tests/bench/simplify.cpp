@@ -1,20 +1,17 @@
-// Our simplification beside OpenMesh's: what comes of models, and processor seconds.
-// `bench_simplify [FACES | FILE]...` takes the nine organic models of 5000 faces and the full
-// scans, or the files; `bench_simplify --measure ORIGINAL SIMPLE TITLE BY SECONDS` prints the row
-// of a mesh that another program made of a model (`simplify.mjs`).
+// Our simplification beside OpenMesh's collapses (`decimate`): what comes of models, and processor
+// seconds. `bench_simplify [FACES | FILE]...` takes the nine organic models of 5000 faces and the
+// full scans, or the files; `bench_simplify --measure ORIGINAL SIMPLE TITLE BY SECONDS` prints the
+// row of a mesh that another program made of a model (`simplify.mjs`).
 
 #include "simplify/simplify.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <string>
 #include <string_view>
 
+#include "mesh/decimate.h"
 #include "shared_models.h"
 #include "simplified.h"
 
@@ -23,59 +20,10 @@ namespace {
 using namespace foldwright;
 using namespace foldwright::testing;
 
-struct PointsInDouble : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-};
-using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<PointsInDouble>;
-
-HalfedgeMesh to_halfedges(const Mesh& mesh) {
-  HalfedgeMesh halfedges;
-  for (const Vec3& p : mesh.positions) halfedges.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : mesh.faces) {
-    halfedges.add_face(HalfedgeMesh::VertexHandle(a), HalfedgeMesh::VertexHandle(b),
-                       HalfedgeMesh::VertexHandle(c));
-  }
-  return halfedges;
-}
-
-Mesh from_halfedges(const HalfedgeMesh& halfedges) {
-  std::vector<Vec3> positions;
-  for (const auto v : halfedges.vertices()) {
-    const auto& p = halfedges.point(v);
-    positions.emplace_back(p[0], p[1], p[2]);
-  }
-  std::vector<std::array<int, 3>> faces;
-  for (const auto f : halfedges.faces()) {
-    auto& face = faces.emplace_back();
-    int i = 0;
-    for (const auto v : f.vertices()) face[i++] = v.idx();
-  }
-  return make_mesh(std::move(positions), std::move(faces));
-}
-
-/// OpenMesh's decimater: quadrics, half-edge collapses, no face turned by over a right angle.
-Mesh by_openmesh(const Mesh& mesh, int faces) {
-  HalfedgeMesh halfedges = to_halfedges(mesh);
-  halfedges.request_face_normals();
-  halfedges.update_face_normals();
-  OpenMesh::Decimater::DecimaterT<HalfedgeMesh> decimater(halfedges);
-  OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadric;
-  OpenMesh::Decimater::ModNormalFlippingT<HalfedgeMesh>::Handle flipping;
-  decimater.add(quadric);
-  decimater.add(flipping);
-  decimater.module(quadric).unset_max_err();
-  decimater.module(flipping).set_max_normal_deviation(90);
-  decimater.initialize();
-  decimater.decimate_to_faces(0, static_cast<std::size_t>(faces));
-  halfedges.garbage_collection();
-  return from_halfedges(halfedges);
-}
-
 void print_row(const char* model, const char* by, const Simplified& row, double seconds) {
-  std::printf("%-21s %-13s %5d %6.2f %7.3f %7.2f %6.2f %6.2f %5d %7.1f %8.3f\n", model, by,
-              row.faces, row.deviation, row.mean_deviation, row.worst_angle, row.thin, row.low,
-              row.crossings, row.border, seconds);
+  std::printf("%-21s %-13s %5d %6.2f %7.3f %7.2f %6.2f %6.2f %5d %8.3f\n", model, by, row.faces,
+              row.deviation, row.mean_deviation, row.worst_angle, row.thin, row.low, row.crossings,
+              seconds);
   std::fflush(stdout);
 }
 
@@ -89,7 +37,7 @@ void compare(const std::string& model, const char* by, const Mesh& mesh, Simplif
 
 void compare_all(const std::string& name, const Mesh& mesh, int faces) {
   const std::string title = name + ' ' + std::to_string(faces);
-  compare(title, "openmesh", mesh, [&](const Mesh& m) { return by_openmesh(m, faces); });
+  compare(title, "openmesh", mesh, [&](const Mesh& m) { return decimate(m, faces); });
   compare(title, "plain", mesh,
           [&](const Mesh& m) { return simplify(m, {.target_faces = faces}); });
   compare(title, "foldwright", mesh, [&](const Mesh& m) {
@@ -114,8 +62,8 @@ int main(int argc, char** argv) {
               std::atof(argv[6]));
     return 0;
   }
-  std::printf("%-21s %-13s %5s %6s %7s %7s %6s %6s %5s %7s %8s\n", "model", "by", "faces", "far %",
-              "mean %", "angle", "<15 %", "low %", "cross", "border", "seconds");
+  std::printf("%-21s %-13s %5s %6s %7s %7s %6s %6s %5s %8s\n", "model", "by", "faces", "far %",
+              "mean %", "angle", "<15 %", "low %", "cross", "seconds");
   std::vector<int> sizes;
   std::vector<std::filesystem::path> models;
   for (int i = 1; i < argc; ++i) {

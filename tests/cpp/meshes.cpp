@@ -390,6 +390,17 @@ double area_of(const Mesh& mesh) {
   return sum;
 }
 
+double sharpest_corner(const Triangle3& t) {
+  double least = 180;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = t[(i + 1) % 3] - t[i];
+    const Vec3 b = t[(i + 2) % 3] - t[i];
+    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    least = std::min(least, angle * 180 / std::numbers::pi);
+  }
+  return least;
+}
+
 int border_edge_count(const Mesh& mesh) {
   int count = 0;
   for (const Mesh::Edge& edge : mesh.edges) count += edge.faces[1] == -1;

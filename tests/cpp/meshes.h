@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/triangle3.h"
 #include "mesh/mesh.h"
 #include "mesh/polygon_soup.h"
 
@@ -81,6 +82,9 @@ double signed_volume(const Mesh& mesh, int component = 0);
 
 /// Area of all faces.
 double area_of(const Mesh& mesh);
+
+/// The smallest angle of a triangle, in degrees.
+double sharpest_corner(const Triangle3& t);
 
 /// Number of edges with one face.
 int border_edge_count(const Mesh& mesh);
