@@ -155,6 +155,13 @@ test('a new deployment takes over when the only page is loaded anew', () =>
     expect(await buildOf(page)).toBe(build);
     await other.close();
 
+    // A person who loads it anew meanwhile gets whole pages.
+    for (const pause of [0, 30, 100, 250, 500]) {
+      await page.waitForTimeout(pause);
+      // The page may load itself anew at that moment.
+      await page.reload({ waitUntil: 'commit' }).catch(() => undefined);
+    }
+
     // Once is enough, unless the browser counts the closed page for longer than the new one asks.
     await expect
       .poll(() => buildAfterReload(studio), { timeout: 60_000, interval: 100 })

@@ -49,7 +49,8 @@ export class StudioPage {
     page.on('console', (message) => {
       if (message.text().includes('blocked by Playwright')) return;
       if (message.type() === 'error' || message.type() === 'warning') {
-        this.complaints.push(message.text());
+        // Of a file that is missing the text does not say which one.
+        this.complaints.push(`${message.text()} (${message.location().url})`);
       }
     });
     context.on('request', (request) => this.requests.push(request.url()));

@@ -22,13 +22,13 @@ function firstUse(): AbortSignal {
  */
 export async function takeNewestBuild(): Promise<void> {
   const { serviceWorker } = navigator as Partial<Navigator>;
-  const waiting = (await serviceWorker?.getRegistration())?.waiting;
-  if (!waiting) return;
+  const registration = await serviceWorker?.getRegistration();
+  if (!registration?.waiting) return;
   serviceWorker?.addEventListener('controllerchange', () => location.reload(), { once: true });
   const used = firstUse();
   for (const time of askingTimes) {
     setTimeout(() => {
-      if (!used.aborted) waiting.postMessage({ takeOver: true });
+      if (!used.aborted) registration.active?.postMessage({ handOver: true });
     }, time);
   }
 }

@@ -52,14 +52,42 @@ async function dropOtherBuilds(file: string): Promise<void> {
   await Promise.all(others.map((name) => caches.delete(name)));
 }
 
-/** A page that was just loaded asks for it; no other page may lose its files. */
-async function takeOver(): Promise<void> {
+/** Pages that were answered and may be on their way still: those are not among the clients yet. */
+const answeredPages = new Set<string>();
+
+/** While the build that waits takes over: a page of this one would lose its worker. */
+let isHandingOver = false;
+
+/**
+ * A page that was just loaded asks the worker that serves it to make way for the build that waits;
+ * no other page may lose its files, nor one that is on its way because a person loads it anew.
+ *
+ * @param asking id of the page
+ */
+async function handOver(asking: string): Promise<void> {
+  if (isHandingOver) return;
+  isHandingOver = true;
+  // Known as clients from then on.
+  await Promise.all([...answeredPages].map((id) => worker.clients.get(id)));
+  answeredPages.clear();
   const windows = await worker.clients.matchAll({ type: 'window', includeUncontrolled: true });
   const pages = windows.filter(({ url }) => url.startsWith(scope));
-  if (pages.length === 1) await worker.skipWaiting();
+  const { waiting } = worker.registration;
+  if (waiting && pages.every(({ id }) => id === asking)) waiting.postMessage({ takeOver: true });
+  else isHandingOver = false;
 }
 
-async function answer(request: Request): Promise<Response> {
+/** Stands in for a page until the next build serves it, in less than a second. */
+function pageToCome(): Response {
+  const headers = { 'content-type': 'text/html' };
+  return new Response('<!doctype html><meta http-equiv="refresh" content="0" />', { headers });
+}
+
+async function answer({ request, resultingClientId }: FetchEvent): Promise<Response> {
+  if (request.mode === 'navigate') {
+    if (isHandingOver) return pageToCome();
+    answeredPages.add(resultingClientId);
+  }
   const path = request.url.slice(scope.length).replace(/[?#].*/, '');
   const isPage = request.mode === 'navigate' && ['', 'index.html'].includes(path);
   const cache = await caches.open(cacheName);
@@ -76,12 +104,14 @@ worker.addEventListener('activate', (event) => {
   event.waitUntil(worker.clients.claim());
 });
 worker.addEventListener('message', (event) => {
-  const { completePage } = event.data as { completePage?: string };
-  event.waitUntil(completePage === undefined ? takeOver() : dropOtherBuilds(completePage));
+  const { completePage, takeOver } = event.data as { completePage?: string; takeOver?: boolean };
+  if (completePage !== undefined) event.waitUntil(dropOtherBuilds(completePage));
+  else if (takeOver) event.waitUntil(worker.skipWaiting());
+  else event.waitUntil(handOver((event.source as Client).id));
 });
 worker.addEventListener('fetch', (event) => {
   const { request } = event;
   if (request.method === 'GET' && request.url.startsWith(scope)) {
-    event.respondWith(answer(request));
+    event.respondWith(answer(event));
   }
 });
