@@ -119,13 +119,14 @@ struct Spot {
 /// Adds the words of rasters that it looks at to `work`.
 std::optional<Spot> best_spot(const SheetRaster& sheet, std::span<const Candidate> candidates,
                               std::int64_t& work) {
+  const PlaceFinder finder(sheet);
   std::optional<Spot> best;
   for (const Candidate& candidate : candidates) {
     const PieceRaster& raster = candidate.raster;
     // Lower places than this end below the best so far.
     const int below =
         best ? static_cast<int>((best->bottom - raster.box.height) / kCell) + 1 : sheet.row_count();
-    const auto place = sheet.find(raster, below, &work);
+    const auto place = finder.find(raster, below, &work);
     if (!place) continue;
     const double bottom = place->y * kCell + raster.box.height;
     if (!best || bottom < best->bottom) best = Spot{&candidate, *place, bottom};

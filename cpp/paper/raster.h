@@ -35,18 +35,13 @@ class SheetRaster {
   /// `room`: within the margins, mm
   explicit SheetRaster(const Extent& room);
 
-  /// The highest place, and of those the leftmost, where the piece touches no cell taken and stays
-  /// within the sheet; none if there is none above row `below`. Adds the words of the raster that
-  /// it looks at to `work`, if given: a measure that is the same everywhere.
-  std::optional<CellPlace> find(const PieceRaster& piece, int below,
-                                std::int64_t* work = nullptr) const;
-
   /// Takes the piece's cells and all that may be nearer to it than `gap`.
   void take(const PieceRaster& piece, const CellPlace& place, double gap);
 
   int row_count() const { return static_cast<int>(rows_.size()); }
 
  private:
+  friend class PlaceFinder;
   using Bits = std::vector<std::uint64_t>;
 
   void take_run(int row, int from, int to);
@@ -55,6 +50,31 @@ class SheetRaster {
   int columns_;
   std::vector<Bits> rows_;
   std::vector<char> is_empty_;  ///< per row
+};
+
+/// Looks for places on a sheet, for one piece after the other. Where a run of any length would touch
+/// what is taken, it knows from two tables of runs of a power of two, made once per sheet.
+class PlaceFinder {
+ public:
+  /// The sheet must outlive this, and nothing may be taken meanwhile.
+  explicit PlaceFinder(const SheetRaster& sheet);
+
+  /// The highest place, and of those the leftmost, where the piece touches no cell taken and stays
+  /// within the sheet; none if there is none above row `below`. Adds what it does to `work`, if
+  /// given, in words that would be looked at without tables: a measure that is the same everywhere.
+  std::optional<CellPlace> find(const PieceRaster& piece, int below,
+                                std::int64_t* work = nullptr) const;
+
+ private:
+  using Word = std::uint64_t;
+
+  std::size_t start_of(int row, int level) const;
+  void add_blocked(int row, const PieceRaster::Run& run, std::vector<Word>& blocked) const;
+
+  const SheetRaster& sheet_;
+  int words_, levels_;
+  /// Per row and level: the first cells of runs of 2^level cells that touch a taken one.
+  std::vector<Word> touching_;
 };
 
 }  // namespace foldwright

@@ -143,8 +143,9 @@ std::vector<Strip> place_strips(const StripTask& task, std::span<const StripShap
       if (is_new) sheets.emplace_back(room);
       int chosen = -1;
       CellPlace best{0, 0};
+      const PlaceFinder finder(sheets[s]);
       for (const int way : {0, 1}) {
-        const auto place = sheets[s].find(ways[way].raster, sheets[s].row_count());
+        const auto place = finder.find(ways[way].raster, sheets[s].row_count());
         if (!place) continue;
         const auto bottom = [&](int w, const CellPlace& at) {
           return at.y * kCell + ways[w].raster.box.height;

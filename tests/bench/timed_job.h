@@ -20,10 +20,8 @@ struct TimedJob {
   std::map<StageId, double> longest_step;   ///< how late a cancel may be answered
 };
 
-/// Runs a job on the bytes of a model file, alone and on one thread.
-inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
-                          const JobOptions& options) {
-  Job job({{name, std::move(file)}}, options);
+/// Runs a job alone and on one thread.
+inline TimedJob run_timed(Job job) {
   TimedJob timed;
   StageId stage = StageId::kRead;
   while (!job.finished()) {
@@ -38,6 +36,12 @@ inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
     timed.longest_step[before] = std::max(timed.longest_step[before], passed);
   }
   return timed;
+}
+
+/// The same on the bytes of a model file.
+inline TimedJob run_timed(std::vector<std::byte> file, const std::string& name,
+                          const JobOptions& options) {
+  return run_timed(Job({{name, std::move(file)}}, options));
 }
 
 /// The same of a model file.

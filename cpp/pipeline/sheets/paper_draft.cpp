@@ -39,14 +39,9 @@ std::vector<std::vector<Vec2>> around_sheet(std::span<const Vec2> hull, const Tu
 }
 
 void sort_for_gluing(PaperDraft& draft) {
-  std::vector<FoundNet> nets;
-  std::vector<Net> flat;
-  for (const int i : gluing_order(draft.flat)) {
-    nets.push_back(std::move(draft.nets[i]));
-    flat.push_back(std::move(draft.flat[i]));
-  }
-  draft.nets = std::move(nets);
-  draft.flat = std::move(flat);
+  const std::vector<int> order = gluing_order(draft.flat);
+  draft.nets = in_order(std::move(draft.nets), order);
+  draft.flat = in_order(std::move(draft.flat), order);
 }
 
 }  // namespace

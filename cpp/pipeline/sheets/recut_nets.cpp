@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/input_error.h"
+#include "paper/gluing_order.h"
 #include "paper/recut.h"
 #include "pipeline/nets/net_split.h"
 #include "pipeline/sheets/flat_net.h"
@@ -161,7 +162,12 @@ bool ScaleFinder::step_freely() {
 bool ScaleFinder::fits_at(double scale) const {
   std::vector<Net> nets;
   for (const FoundNet& found : state_.nets.found) nets.push_back(flatten(state_, found, scale));
-  const FlapPlan plan = place_flaps(state_.model.surface->mesh, nets, state_.options.paper.flaps);
+  // In the order in which they are laid out at the scale that is found: they need not be placed
+  // once more then, nor after an edit that leaves nets and scale as they are.
+  const std::vector<int> order = gluing_order(nets);
+  nets = in_order(std::move(nets), order);
+  const FlapPlan plan = state_.memory->flaps.place(state_.model.surface->mesh, nets,
+                                                   state_.options.paper.flaps);
   const Extent room = printable(state_.options.paper.sheet);
   for (std::size_t i = 0; i < nets.size(); ++i) {
     const Footprint print = footprint_of(nets[i], plan.flaps[i]);
