@@ -13,7 +13,8 @@ file(GLOB_RECURSE small_sources CONFIGURE_DEPENDS
 
 # Where jobs spend their time.
 set(fast_in_mesh nearest_face surface_tree)
-set(fast_in_paper craft_cost craft_sides flap_cover flap_room flaps label_space packing raster room_profile silhouette)
+set(fast_in_paper callouts craft_cost craft_sides flap_cover flap_room flaps label_space packing raster room_profile
+  silhouette text_box)
 set(fast_in_segment affinity analyze_unfolding concave_geodesic foldability k_means min_cut smooth_borders)
 foreach(folder mesh paper segment)
   list(TRANSFORM fast_in_${folder} REPLACE ".+" "${cpp}/${folder}/\\0.cpp")

@@ -54,9 +54,7 @@ std::optional<Callout> CalloutFinder::find(const LabelSpace& space, const SeamSi
     const Vec2 centre = origin_ + kStep * Vec2(x0 + dx, y0 + dy);
     if (cross(side.to - side.from, centre - side.from) <= 0) continue;
     if (!is_open(space, x0 + dx, y0 + dy)) continue;
-    for (const double size : sizes) {
-      if (auto found = try_at(space, side, text, centre, size)) return found;
-    }
+    if (auto found = try_at(space, side, text, centre, sizes)) return found;
   }
   return std::nullopt;
 }
@@ -92,14 +90,26 @@ bool CalloutFinder::is_open(const LabelSpace& space, int x, int y) {
 
 std::optional<Callout> CalloutFinder::try_at(const LabelSpace& space, const SeamSide& side,
                                              const std::string& text, const Vec2& centre,
-                                             double size) const {
+                                             std::span<const double> sizes) const {
   const Vec2 edge = (side.to - side.from).normalized();
   const Vec2 end = 0.5 * (side.from + side.to) + kToEdge * Vec2(-edge.y(), edge.x());
-  for (const Vec2& along : {edge, Vec2(1, 0), Vec2(0, 1)}) {
-    const TextBox box = box_around(text, {size, clearance_}, centre, along);
-    if (!space.is_free(box)) continue;
-    const Stroke leader = {exit_of(box, end), end};
-    if (space.is_open(leader)) return Callout{box, size, leader};
+  const std::array<Vec2, 3> directions = {edge, Vec2(1, 0), Vec2(0, 1)};
+  const auto box_of_size = [&](double size, const Vec2& along) {
+    return box_around(text, {size, clearance_}, centre, along);
+  };
+  // Where the least text does not stand, no larger one does: most places end here.
+  std::array<bool, 3> has_room;
+  std::ranges::transform(directions, has_room.begin(), [&](const Vec2& along) {
+    return space.is_free(box_of_size(sizes.back(), along));
+  });
+  for (const double size : sizes) {
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (!has_room[i]) continue;
+      const TextBox box = box_of_size(size, directions[i]);
+      if (!space.is_free(box)) continue;
+      const Stroke leader = {exit_of(box, end), end};
+      if (space.is_open(leader)) return Callout{box, size, leader};
+    }
   }
   return std::nullopt;
 }

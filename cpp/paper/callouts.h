@@ -23,7 +23,7 @@ class CalloutFinder {
 
   /// The place nearest to the middle of the edge, within 12 mm on its inner side, that touches
   /// nothing, and to which a line leads that leaves the paper nowhere and touches no text.
-  /// `sizes`: in the order in which they are tried, mm.
+  /// `sizes`: in the order in which they are tried, mm: the least one last.
   std::optional<Callout> find(const LabelSpace& space, const SeamSide& side,
                               const std::string& text, std::span<const double> sizes);
 
@@ -36,9 +36,10 @@ class CalloutFinder {
 
   bool is_inside(const Vec2& p) const;
   bool is_open(const LabelSpace& space, int x, int y);
-  /// A text of one size around a point, whichever way it is turned.
+  /// A text around a point in the first size that has room, whichever way it is turned.
   std::optional<Callout> try_at(const LabelSpace& space, const SeamSide& side,
-                                const std::string& text, const Vec2& centre, double size) const;
+                                const std::string& text, const Vec2& centre,
+                                std::span<const double> sizes) const;
 
   const Net& net_;
   double least_size_, clearance_;

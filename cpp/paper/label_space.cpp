@@ -39,7 +39,7 @@ bool LabelSpace::is_free(const TextBox& box) const {
   });
   if (!is_free) return false;
   text_grid_.visit(reach, [&](int i) {
-    is_free = !convex_overlap(corners, texts_[i].corners, 0);
+    is_free = !reach.meets(texts_[i].reach) || !convex_overlap(corners, texts_[i].corners, 0);
     return is_free;
   });
   return is_free;
@@ -61,8 +61,9 @@ bool LabelSpace::is_open(const Stroke& stroke) const {
 }
 
 void LabelSpace::take(const TextBox& box) {
-  texts_.push_back({box, box.corners()});
-  text_grid_.insert(static_cast<int>(texts_.size()) - 1, box_of(texts_.back().corners));
+  const auto corners = box.corners();
+  texts_.push_back({box, corners, box_of(corners)});
+  text_grid_.insert(static_cast<int>(texts_.size()) - 1, texts_.back().reach);
 }
 
 void LabelSpace::take(const Stroke& stroke) { add_line(stroke, false); }

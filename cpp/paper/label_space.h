@@ -36,6 +36,7 @@ class LabelSpace {
   struct Text {
     TextBox box;
     std::array<Vec2, 4> corners;
+    Box2 reach;  ///< around the corners
   };
 
   void add_line(const Stroke& stroke, bool is_outline);

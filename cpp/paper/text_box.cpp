@@ -60,6 +60,9 @@ bool meets(const TextBox& box, const Stroke& stroke) {
   const auto clip = [&](const Vec2& axis, double half) {
     const double start = axis.dot(stroke.from - box.centre);
     const double step = axis.dot(stroke.to - stroke.from);
+    const double end = start + step;
+    // Most strokes lie on one side of it.
+    if (std::min(start, end) >= half || std::max(start, end) <= -half) return false;
     if (std::abs(step) < 1e-12) return std::abs(start) < half;
     const double a = (-half - start) / step;
     const double b = (half - start) / step;

@@ -20,7 +20,8 @@ namespace {
 constexpr StageId kStages[] = {StageId::kRead,   StageId::kLearn,   StageId::kCluster,
                                StageId::kSearch, StageId::kCompact, StageId::kPaper};
 
-const JobOptions kOptions = {.parts = {.count = 8}};
+const JobOptions kOptions = {.parts = {.count = 8},
+                             .paper = {.size = {.by = Sizing::kHeight, .value = 150}}};
 
 struct Edit {
   JobOptions options = kOptions;
