@@ -15,12 +15,14 @@ constexpr double kTouching = 1e-6;
 constexpr double kGridCell = 8;
 
 using Polygon = FlapRoom::Polygon;
+using Obstacle = FlapRoom::Obstacle;
 
 bool is_free(const SeamSide& side, const Trapezoid& flap,
-             std::span<const Polygon* const> obstacles) {
+             std::span<const Obstacle* const> obstacles) {
   const Polygon corners = flap_corners(side, flap);
-  return std::ranges::none_of(obstacles, [&](const Polygon* obstacle) {
-    return convex_overlap(corners, *obstacle, kTouching);
+  const Box2 box = box_of(corners);
+  return std::ranges::none_of(obstacles, [&](const Obstacle* obstacle) {
+    return box.meets(obstacle->box) && convex_overlap(corners, obstacle->polygon, kTouching);
   });
 }
 
@@ -37,7 +39,7 @@ bool is_covered(const Trapezoid& flap, double length, const FlapCover& cover) {
 /// The flap with its feet at the ends of the edge where nothing is in the way: the profile is too
 /// coarse to tell next to a corner.
 Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
-                  std::span<const Polygon* const> obstacles) {
+                  std::span<const Obstacle* const> obstacles) {
   for (const int end : {0, 1}) {
     Trapezoid wider = flap;
     wider.foot[end] = end == 0 ? 0 : side.length();
@@ -50,14 +52,15 @@ Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
 
 std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
   const auto [first, last, far, near] = flap.corners();
-  return {side.global(first), side.global(near), side.global(far), side.global(last)};
+  const SeamFrame frame = side.frame();
+  return {frame.global(first), frame.global(near), frame.global(far), frame.global(last)};
 }
 
 FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off)
     : nets_(nets) {
   for (const Net& net : nets) {
     const int n = static_cast<int>(obstacles_.size());
-    obstacles_.push_back({{}, {}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
+    obstacles_.push_back({{}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
     for (const auto& [a, b, c] : net.corners) {
       add(n, {net.vertices[a], net.vertices[b], net.vertices[c]});
     }
@@ -76,10 +79,10 @@ FlapMiss FlapRoom::why_none(const SeamSide& side, const FlapCover& cover,
                             const FlapShape& shape) const {
   if (side.length() < shortest_base(shape)) return FlapMiss::kShort;
   if (!best(side, cover, shape, {})) return FlapMiss::kThin;
-  std::vector<const Polygon*> beside;
-  for (const Polygon* obstacle : near(side, shape.height)) {
+  std::vector<const Obstacle*> beside;
+  for (const Obstacle* obstacle : near(side, shape.height)) {
     const bool touches = std::ranges::any_of(
-        *obstacle, [&](const Vec2& p) { return p == side.from || p == side.to; });
+        obstacle->polygon, [&](const Vec2& p) { return p == side.from || p == side.to; });
     if (touches && is_face(side.net, obstacle)) beside.push_back(obstacle);
   }
   return best(side, cover, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
@@ -87,11 +90,11 @@ FlapMiss FlapRoom::why_none(const SeamSide& side, const FlapCover& cover,
 
 Trapezoid FlapRoom::set_apart(const SeamSide& side, const FlapCover& cover,
                               const Trapezoid& flap) const {
-  const std::vector<const Polygon*> obstacles = near(side, flap.height);
+  const std::vector<const Obstacle*> obstacles = near(side, flap.height);
   FlapNeighbours neighbours;
-  for (const Polygon* obstacle : obstacles) {
+  for (const Obstacle* obstacle : obstacles) {
     auto& kind = is_face(side.net, obstacle) ? neighbours.faces : neighbours.flaps;
-    kind.emplace_back(*obstacle);
+    kind.emplace_back(obstacle->polygon);
   }
   Trapezoid own = flap;
   for (const int end : {0, 1}) {
@@ -103,8 +106,8 @@ Trapezoid FlapRoom::set_apart(const SeamSide& side, const FlapCover& cover,
   return own;
 }
 
-bool FlapRoom::is_face(int net, const Polygon* obstacle) const {
-  const auto index = obstacle - obstacles_[net].polygons.data();
+bool FlapRoom::is_face(int net, const Obstacle* obstacle) const {
+  const auto index = obstacle - obstacles_[net].all.data();
   return index < static_cast<std::ptrdiff_t>(nets_[net].corners.size());
 }
 
@@ -113,43 +116,48 @@ int FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
 }
 
 void FlapRoom::give_back(const SeamSide& side, int taken) {
-  Obstacles& all = obstacles_[side.net];
-  all.grid.remove(taken, all.boxes[taken]);
+  Obstacles& obstacles = obstacles_[side.net];
+  obstacles.grid.remove(taken, obstacles.all[taken].box);
 }
 
 int FlapRoom::add(int net, Polygon polygon) {
-  Obstacles& all = obstacles_[net];
-  const int index = static_cast<int>(all.polygons.size());
-  all.boxes.push_back(box_of(polygon));
-  all.grid.insert(index, all.boxes.back());
-  all.polygons.push_back(std::move(polygon));
+  Obstacles& obstacles = obstacles_[net];
+  const int index = static_cast<int>(obstacles.all.size());
+  const Box2 box = box_of(polygon);
+  obstacles.grid.insert(index, box);
+  obstacles.all.push_back({std::move(polygon), box});
   return index;
 }
 
 /// Obstacles near the base of a flap so high, without the faces it belongs to.
-std::vector<const Polygon*> FlapRoom::near(const SeamSide& side, double height) const {
+std::vector<const FlapRoom::Obstacle*> FlapRoom::near(const SeamSide& side, double height) const {
   const Box2 reach = box_of(std::array{side.from, side.to}).grown(height + 1);
-  const Obstacles& all = obstacles_[side.net];
+  const Obstacles& obstacles = obstacles_[side.net];
   std::vector<int> found;
-  all.grid.visit(reach, [&](int i) {
-    const bool is_own = std::ranges::find(side.faces, i) != side.faces.end();
-    if (!is_own && all.boxes[i].meets(reach)) found.push_back(i);
+  obstacles.grid.visit(reach, [&](int i) {
+    if (obstacles.all[i].box.meets(reach)) found.push_back(i);
     return true;
   });
   std::ranges::sort(found);
   found.erase(std::ranges::unique(found).begin(), found.end());
-  std::vector<const Polygon*> obstacles;
-  for (const int i : found) obstacles.push_back(&all.polygons[i]);
-  return obstacles;
+  std::vector<const Obstacle*> near;
+  near.reserve(found.size());
+  for (const int i : found) {
+    const bool is_own = std::ranges::find(side.faces, i) != side.faces.end();
+    if (!is_own) near.push_back(&obstacles.all[i]);
+  }
+  return near;
 }
 
 std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& cover,
                                         const FlapShape& shape,
-                                        std::span<const Polygon* const> obstacles) {
+                                        std::span<const Obstacle* const> obstacles) {
   RoomProfile profile = open_room(side.length(), shape.height, kFineBin);
-  for (const Polygon* obstacle : obstacles) {
-    Polygon local;
-    for (const Vec2& p : *obstacle) local.push_back(side.local(p));
+  const SeamFrame frame = side.frame();
+  Polygon local;
+  for (const Obstacle* obstacle : obstacles) {
+    local.clear();
+    for (const Vec2& p : obstacle->polygon) local.push_back(frame.local(p));
     // What touches the base from below, as the faces of its own panel do, is no roof over it.
     const auto is_below = [](const Vec2& p) { return p.y() <= kTouching; };
     if (!std::ranges::all_of(local, is_below)) lower_below(profile, local);

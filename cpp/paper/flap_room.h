@@ -25,6 +25,11 @@ std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap);
 class FlapRoom {
  public:
   using Polygon = std::vector<Vec2>;
+  /// What flaps must not overlap.
+  struct Obstacle {
+    Polygon polygon;
+    Box2 box;
+  };
 
   /// `keep_off`: per net further convex polygons that flaps must not overlap; or empty. What is
   /// given must outlive this.
@@ -48,19 +53,18 @@ class FlapRoom {
   void give_back(const SeamSide& side, int taken);
 
  private:
-  /// Polygons of one net that flaps must not overlap: its faces, then all else.
+  /// Obstacles of one net: its faces, then all else.
   struct Obstacles {
-    std::vector<Polygon> polygons;
-    std::vector<Box2> boxes;  ///< of these
+    std::vector<Obstacle> all;
     BoxGrid<2> grid;
   };
 
   int add(int net, Polygon polygon);
-  bool is_face(int net, const Polygon* obstacle) const;
-  std::vector<const Polygon*> near(const SeamSide& side, double height) const;
+  bool is_face(int net, const Obstacle* obstacle) const;
+  std::vector<const Obstacle*> near(const SeamSide& side, double height) const;
   static std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
                                        const FlapShape& shape,
-                                       std::span<const Polygon* const> obstacles);
+                                       std::span<const Obstacle* const> obstacles);
 
   std::span<const Net> nets_;
   std::vector<Obstacles> obstacles_;  ///< per net

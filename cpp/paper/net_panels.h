@@ -15,7 +15,7 @@ class NetPanels {
     int from, to;  ///< vertices of the net
   };
 
-  /// n log n.
+  /// Linear in the faces, where none of many share a vertex.
   explicit NetPanels(const Net& net);
 
   int panel_count() const { return static_cast<int>(borders_.size()); }

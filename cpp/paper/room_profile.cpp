@@ -121,7 +121,7 @@ std::array<Vec2, 4> Trapezoid::corners() const {
 
 RoomProfile open_room(double length, double most, double bin) {
   const int bins = std::clamp(static_cast<int>(std::ceil(length / bin)), kLeastBins, kMostBins);
-  return {length, std::vector<double>(bins, most)};
+  return {length, most, std::vector<double>(bins, most)};
 }
 
 void lower_below(RoomProfile& profile, std::span<const Vec2> polygon) {
@@ -133,6 +133,7 @@ void lower_below(RoomProfile& profile, std::span<const Vec2> polygon) {
     const bool is_below = a.x() < b.x();  // the polygon lies above this side
     if (!is_below) std::swap(a, b);
     if (b.x() <= kRounding || a.x() >= profile.length - kRounding) continue;
+    if (std::min(a.y(), b.y()) - kGap >= profile.most) continue;
     // A side along the base leaves no room above it, but is no obstacle to what lies above.
     const double least = is_below ? -kRounding : kRounding;
     if (std::max(a.y(), b.y()) < least) continue;

@@ -30,6 +30,7 @@ struct Trapezoid {
 /// The room above the base of a flap: per bin of equal width the height up to which it is free.
 struct RoomProfile {
   double length;  ///< of the base
+  double most;    ///< height where nothing is in the way
   std::vector<double> room;
 
   double bin() const { return length / static_cast<double>(room.size()); }

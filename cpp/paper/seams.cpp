@@ -17,8 +17,9 @@ bool is_cut(const NetEdge& edge) { return edge.assignment == Assignment::kCut; }
 
 /// The panel of a side, seen from the side as a base.
 FlapCover panel_over(const SeamSide& side, const Net& net, const NetPanels& panels) {
+  const SeamFrame frame = side.frame();
   const auto place = [&](int vertex) {
-    const Vec2 p = side.local(net.vertices[vertex]);
+    const Vec2 p = frame.local(net.vertices[vertex]);
     return Vec2(p.x(), -p.y());  // into the panel
   };
   CoverBuilder cover(side.length());
@@ -41,12 +42,31 @@ struct Place {
 };
 constexpr Place kNowhere = {-1, -1};
 
+/// Edges of nets that were come by.
+class SeenEdges {
+ public:
+  explicit SeenEdges(std::span<const Net> nets) {
+    for (const Net& net : nets) seen_.emplace_back(net.edges.size(), 0);
+  }
+  bool contains(const Place& at) const { return seen_[at.net][at.edge]; }
+  void add(std::span<const Place> places) {
+    for (const Place& at : places) seen_[at.net][at.edge] = 1;
+  }
+
+ private:
+  std::vector<std::vector<char>> seen_;  ///< per net and edge
+};
+
 /// The cut edges of nets, with what follows and what lies opposite.
 class CutEdges {
  public:
   CutEdges(std::span<const Net> nets, std::span<const NetPanels> panels)
       : nets_(nets), panels_(panels) {
-    std::map<int, std::vector<Place>> sides;
+    struct Side {
+      int mesh_edge;
+      Place place;
+    };
+    std::vector<Side> sides;
     for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
       starts_.emplace_back(nets[n].vertices.size(), -1);
       ends_.emplace_back(nets[n].vertices.size(), -1);
@@ -56,13 +76,15 @@ class CutEdges {
         if (!is_cut(edge)) continue;
         starts_[n][edge.vertices[0]] = e;
         ends_[n][edge.vertices[1]] = e;
-        sides[edge.mesh_edge].push_back({n, e});
+        sides.push_back({edge.mesh_edge, {n, e}});
       }
     }
-    for (const auto& [mesh_edge, both] : sides) {
-      if (both.size() != 2) continue;
-      across_[both[0].net][both[0].edge] = both[1];
-      across_[both[1].net][both[1].edge] = both[0];
+    std::ranges::sort(sides, {}, &Side::mesh_edge);
+    // An edge of the mesh has two sides at most.
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i - 1].mesh_edge != sides[i].mesh_edge) continue;
+      across_of(sides[i - 1].place) = sides[i].place;
+      across_of(sides[i].place) = sides[i - 1].place;
     }
   }
 
@@ -124,6 +146,7 @@ class CutEdges {
   }
 
  private:
+  Place& across_of(const Place& at) { return across_[at.net][at.edge]; }
   const NetEdge& edge_at(const Place& at) const { return nets_[at.net].edges[at.edge]; }
   int panel_at(const Place& at) const {
     return panels_[at.net].panel_of(panels_[at.net].face_at(at.edge));
@@ -155,20 +178,14 @@ class CutEdges {
 
 }  // namespace
 
-Vec2 SeamSide::local(const Vec2& p) const {
-  const Vec2 along = (to - from) / length();
-  return {along.dot(p - from), cross(p - from, along)};
-}
-
-Vec2 SeamSide::global(const Vec2& p) const {
-  const Vec2 along = (to - from) / length();
-  return from + p.x() * along + p.y() * Vec2(along.y(), -along.x());
-}
+SeamFrame SeamSide::frame() const { return {from, (to - from) / length()}; }
+Vec2 SeamSide::local(const Vec2& p) const { return frame().local(p); }
+Vec2 SeamSide::global(const Vec2& p) const { return frame().global(p); }
 
 std::vector<Seam> find_seams(std::span<const Net> nets, std::span<const NetPanels> panels) {
   const CutEdges cuts(nets, panels);
   std::vector<Seam> seams;
-  std::set<Place> seen;
+  SeenEdges seen(nets);
   for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
     for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
       if (!is_cut(nets[n].edges[e]) || seen.contains({n, e})) continue;
@@ -183,8 +200,8 @@ std::vector<Seam> find_seams(std::span<const Net> nets, std::span<const NetPanel
         seam.mesh_edges.push_back(nets[place.net].edges[place.edge].mesh_edge);
       }
       std::ranges::sort(seam.mesh_edges);
-      seen.insert(run.begin(), run.end());
-      seen.insert(other.begin(), other.end());
+      seen.add(run);
+      seen.add(other);
     }
   }
   std::ranges::sort(seams, {}, [](const Seam& seam) { return seam.mesh_edge(); });
@@ -283,7 +300,7 @@ std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets,
     return std::ranges::binary_search(mesh.joints, mesh_edge, {}, &Joint::edge);
   };
   std::vector<SeamSide> borders;
-  std::set<Place> seen;
+  SeenEdges seen(nets);
   for (int n = 0; n < static_cast<int>(nets.size()); ++n) {
     for (int e = 0; e < static_cast<int>(nets[n].edges.size()); ++e) {
       const int mesh_edge = nets[n].edges[e].mesh_edge;
@@ -295,7 +312,7 @@ std::vector<SeamSide> find_borders(const Mesh& mesh, std::span<const Net> nets,
         return mesh.edges[at].faces[1] == -1 && !is_joint(at);
       };
       if (!std::ranges::all_of(run, is_plain)) run = {{n, e}};
-      seen.insert(run.begin(), run.end());
+      seen.add(run);
       borders.push_back(cuts.side_of(run));
     }
   }

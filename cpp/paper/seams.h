@@ -11,6 +11,16 @@
 
 namespace foldwright {
 
+/// The coordinates of a seam's side: x along its edges, y outwards.
+struct SeamFrame {
+  Vec2 from, along;  ///< in those of the net; `along`: unit vector
+
+  Vec2 local(const Vec2& p) const { return {along.dot(p - from), cross(p - from, along)}; }
+  Vec2 global(const Vec2& p) const {
+    return from + p.x() * along + p.y() * Vec2(along.y(), -along.x());
+  }
+};
+
 /// One side of a seam: edges of a net that follow each other in a straight line along a panel.
 struct SeamSide {
   int net;
@@ -21,9 +31,9 @@ struct SeamSide {
   FlapCover panel;          ///< over the base, into the panel
 
   int edge() const { return edges.front(); }
-  /// A point in the coordinates of the base: x along the edges, y outwards.
+  SeamFrame frame() const;
+  /// A point in the coordinates of the frame, and back.
   Vec2 local(const Vec2& p) const;
-  /// And back.
   Vec2 global(const Vec2& p) const;
   double length() const { return (to - from).norm(); }
 };

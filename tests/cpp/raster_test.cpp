@@ -67,7 +67,8 @@ PieceRaster any_triangle(Random& random, int most) {
     return Vec2(0.125 * random.below(8 * most), 0.125 * random.below(8 * most));
   };
   std::vector<Vec2> corners = {any(), any(), any()};
-  if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[0], corners[1]);
+  if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0)
+    std::swap(corners[0], corners[1]);
   const Vec2 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
   for (Vec2& p : corners) p -= low;
   const Vec2 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
