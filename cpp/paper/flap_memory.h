@@ -8,8 +8,8 @@
 namespace foldwright {
 
 /// Flaps that were placed lately. Names, pins and most options of paper leave them as they are, and
-/// placing them takes two fifths of such an edit. Holds 16 MiB at most, but for a larger last one;
-/// what was not asked for lately goes first.
+/// placing them takes half of an edit that changes one. Holds 16 MiB at most, but for a larger last
+/// one; what was not asked for lately goes first.
 class FlapMemory {
  public:
   /// As `place_flaps`, which is called only for what is not held.

@@ -93,6 +93,7 @@ if (process.argv.includes('--full')) {
   run(process.execPath, ['tests/bench/growth.mjs', '20000'], 'inherit');
   run(process.execPath, ['tests/bench/edits.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/page-edits.mjs'], 'inherit');
+  run('build/release/bench_edit_stages', [], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/auto.mjs'], 'inherit');

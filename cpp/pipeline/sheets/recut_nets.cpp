@@ -166,8 +166,8 @@ bool ScaleFinder::fits_at(double scale) const {
   // once more then, nor after an edit that leaves nets and scale as they are.
   const std::vector<int> order = gluing_order(nets);
   nets = in_order(std::move(nets), order);
-  const FlapPlan plan = state_.memory->flaps.place(state_.model.surface->mesh, nets,
-                                                   state_.options.paper.flaps);
+  const FlapPlan plan =
+      state_.memory->flaps.place(state_.model.surface->mesh, nets, state_.options.paper.flaps);
   const Extent room = printable(state_.options.paper.sheet);
   for (std::size_t i = 0; i < nets.size(); ++i) {
     const Footprint print = footprint_of(nets[i], plan.flaps[i]);
