@@ -17,10 +17,15 @@ export async function pointInside(page: Page, selector: string): Promise<[x: num
     );
     const screen = path.getScreenCTM()!;
     const back = screen.inverse();
+    // What is scrolled out of sight lies behind something else: the model there would light the piece as well.
+    const isSeen = ({ x, y }: DOMPoint): boolean => {
+      const top = (path.getRootNode() as ShadowRoot).elementFromPoint(x, y);
+      return top?.closest('svg') === path.ownerSVGElement;
+    };
     return points
       .map((point) => point.matrixTransform(screen))
       .map(({ x, y }) => new DOMPoint(Math.round(x), Math.round(y)))
-      .filter((point) => path.isPointInFill(point.matrixTransform(back)))
+      .filter((point) => path.isPointInFill(point.matrixTransform(back)) && isSeen(point))
       .map(({ x, y }) => [x, y] as [x: number, y: number]);
   });
   for (const [x, y] of places) {
