@@ -1,10 +1,11 @@
 #include "simplify/edge_collapse.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Tools/Utils/HeapT.hh>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "simplify/crossing_guard.h"
@@ -34,15 +35,44 @@ constexpr double kOffPlane = 0.05;
 // Above this number of faces those that could run through others are small, and many to look at.
 constexpr int kGuardedFaces = 30'000;
 
-/// An edge as it was when its cost was computed.
+/// An edge that may be collapsed.
 struct Candidate {
   double cost;
   int edge;
-  int version;
+};
 
-  bool operator>(const Candidate& other) const {
-    return std::pair(cost, edge) > std::pair(other.cost, other.edge);
+/// Candidates by their costs. An edge is in it once at most: most change several times before it is
+/// their turn.
+class EdgeQueue {
+ public:
+  explicit EdgeQueue(std::size_t edges) : places_(edges, -1), heap_(Order{&places_}) {
+    heap_.reserve(edges);
   }
+  EdgeQueue(const EdgeQueue&) = delete;  // the heap knows where `places_` is
+
+  bool empty() const { return heap_.empty(); }
+  Candidate first() const { return heap_.front(); }
+  void drop_first() { heap_.pop_front(); }
+  /// Puts an edge in, in place of itself.
+  void put(const Candidate& candidate) {
+    if (heap_.is_stored(candidate)) heap_.remove(candidate);
+    heap_.insert(candidate);
+  }
+
+ private:
+  struct Order {
+    std::vector<int>* places;  ///< per edge: where it is in the heap, or -1
+
+    bool less(const Candidate& a, const Candidate& b) const {
+      return std::tie(a.cost, a.edge) < std::tie(b.cost, b.edge);
+    }
+    bool greater(const Candidate& a, const Candidate& b) const { return less(b, a); }
+    int get_heap_position(const Candidate& c) const { return (*places)[c.edge]; }
+    void set_heap_position(const Candidate& c, int place) { (*places)[c.edge] = place; }
+  };
+
+  std::vector<int> places_;
+  OpenMesh::Utils::HeapT<Candidate, Order> heap_;
 };
 
 /// What comes of a collapse.
@@ -73,13 +103,13 @@ class EdgeCollapse {
     extent_ = box.diagonal().norm();
     // Of equilateral triangles with the surface's area.
     edge_of_one_face_ = std::sqrt(4 / std::sqrt(3) * area_of(mesh));
-    versions_.assign(connectivity_.n_edges(), 0);
+    queue_.emplace(connectivity_.n_edges());
     is_refused_.assign(connectivity_.n_edges(), false);
   }
 
   void run() {
     for (const EdgeHandle edge : connectivity_.edges()) offer(edge);
-    while (face_count_ > options_.target_faces && !queue_.empty()) take_next();
+    while (face_count_ > options_.target_faces && !queue_->empty()) take_next();
   }
 
   CollapsedMesh result() const {
@@ -132,7 +162,7 @@ class EdgeCollapse {
     const auto [from, to] = ends_of(edge);
     const Quadric quadric = joined_quadric(from, to);
     is_refused_[edge.idx()] = false;
-    queue_.push({quadric.at(best_place(quadric, from, to)), edge.idx(), ++versions_[edge.idx()]});
+    queue_->put({quadric.at(best_place(quadric, from, to)), edge.idx()});
   }
 
   /// Offers the edges at a vertex that a collapse has changed, and those around it that were not
@@ -150,17 +180,17 @@ class EdgeCollapse {
   }
 
   void take_next() {
-    const Candidate next = queue_.top();
-    queue_.pop();
+    const Candidate next = queue_->first();
+    queue_->drop_first();
     const EdgeHandle edge(next.edge);
-    if (next.version != versions_[next.edge] || connectivity_.status(edge).deleted()) return;
+    if (connectivity_.status(edge).deleted()) return;
     // What the shapes of its faces cost counts only now, and they may have changed meanwhile.
     const auto outcome = evaluate(edge);
     is_refused_[next.edge] = true;
     if (!outcome) return;
-    if (outcome->cost > next.cost && !queue_.empty() && outcome->cost > queue_.top().cost) {
+    if (outcome->cost > next.cost && !queue_->empty() && outcome->cost > queue_->first().cost) {
       is_refused_[next.edge] = false;
-      queue_.push({outcome->cost, next.edge, next.version});
+      queue_->put({outcome->cost, next.edge});
       return;
     }
     const HalfedgeHandle halfedge = connectivity_.halfedge_handle(edge, 0);
@@ -372,9 +402,8 @@ class EdgeCollapse {
   std::vector<Vec3> positions_;
   std::vector<Quadric> quadrics_;
   std::vector<bool> is_on_;
-  std::vector<int> versions_;     ///< per edge
   std::vector<bool> is_refused_;  ///< per edge: it was not allowed when last looked at
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  std::optional<EdgeQueue> queue_;
   std::vector<FanFace> fan_, removed_;
   std::optional<CrossingGuard> guard_;
   int guarded_since_ = 0;
