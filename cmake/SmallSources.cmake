@@ -35,9 +35,9 @@ list(FILTER loop_sources INCLUDE REGEX "/(read|repair|simplify)/|/spectral")
 list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|mend_bodies|repair|joints|model_files|model_format|mirror_half|simplify)\\.cpp$")
 list(REMOVE_ITEM small_sources ${loop_sources})
 
-# Elsewhere: what is done once per net, or for the few nets that need it.
-set(once_per_net fold/planner fold/shape_trees fold/waypoint_search geometry/box_pairs search/border_exchange search/genetic_search
-  unfold/congruence unfold/net)
+# Elsewhere: what is done once per net, or for the few nets and faces that need it.
+set(once_per_net fold/planner fold/shape_trees fold/waypoint_search geometry/box_pairs geometry/face_contact search/border_exchange
+  search/genetic_search search/overlap_cut unfold/congruence unfold/net)
 list(TRANSFORM once_per_net REPLACE ".+" "${cpp}/\\0.cpp")
 list(APPEND loop_sources ${once_per_net})
 list(REMOVE_ITEM engine_sources ${once_per_net})
