@@ -52,8 +52,8 @@ class SheetRaster {
   std::vector<char> is_empty_;  ///< per row
 };
 
-/// Looks for places on a sheet, for one piece after the other. Where a run of any length would
-/// touch what is taken, it knows from two tables of runs of a power of two, made once per sheet.
+/// Looks for places on a sheet, for one piece after the other. Where runs of a power of two would
+/// touch what is taken is in tables, made once per sheet; two such runs cover one of any length.
 class PlaceFinder {
  public:
   /// The sheet must outlive this, and nothing may be taken meanwhile.

@@ -161,7 +161,7 @@ export class History {
     this.dropFar();
   }
 
-  /** Made once, and only when it is needed: it takes a third of the time of a small edit. */
+  /** Made once, and only when it is needed: small edits would take a fifth longer. */
   private reportOf(step: Step): Report | null {
     if (step.state) step.report ??= this.tools.reportOf(step.state);
     return step.report;

@@ -55,8 +55,13 @@ async function dropOtherBuilds(file: string): Promise<void> {
 /** Pages that were answered and may be on their way still: those are not among the clients yet. */
 const answeredPages = new Set<string>();
 
-/** While the build that waits takes over: a page of this one would lose its worker. */
-let isHandingOver = false;
+/** Ms in which the build that waits has long taken over. */
+const longestHandOver = 10_000;
+
+/** Until then the build that waits may take over, and a page of this one would lose its worker. */
+let handingOverUntil = 0;
+
+const isHandingOver = (): boolean => Date.now() < handingOverUntil;
 
 /**
  * A page that was just loaded asks the worker that serves it to make way for the build that waits;
@@ -65,8 +70,9 @@ let isHandingOver = false;
  * @param asking id of the page
  */
 async function handOver(asking: string): Promise<void> {
-  if (isHandingOver) return;
-  isHandingOver = true;
+  if (isHandingOver()) return;
+  // Not for ever: the build that waits may be replaced by another one before it hears of it.
+  handingOverUntil = Date.now() + longestHandOver;
   // Known as clients from then on.
   await Promise.all([...answeredPages].map((id) => worker.clients.get(id)));
   answeredPages.clear();
@@ -74,7 +80,7 @@ async function handOver(asking: string): Promise<void> {
   const pages = windows.filter(({ url }) => url.startsWith(scope));
   const { waiting } = worker.registration;
   if (waiting && pages.every(({ id }) => id === asking)) waiting.postMessage({ takeOver: true });
-  else isHandingOver = false;
+  else handingOverUntil = 0;
 }
 
 /** Stands in for a page until the next build serves it, in less than a second. */
@@ -85,7 +91,7 @@ function pageToCome(): Response {
 
 async function answer({ request, resultingClientId }: FetchEvent): Promise<Response> {
   if (request.mode === 'navigate') {
-    if (isHandingOver) return pageToCome();
+    if (isHandingOver()) return pageToCome();
     answeredPages.add(resultingClientId);
   }
   const path = request.url.slice(scope.length).replace(/[?#].*/, '');
