@@ -21,11 +21,15 @@ endif()
 set(openmesh_root "${FOLDWRIGHT_OPENMESH_SOURCE}/src")
 file(GLOB_RECURSE openmesh_sources "${openmesh_root}/OpenMesh/Core/*.cc")
 list(FILTER openmesh_sources EXCLUDE REGEX "/Core/IO/")  # readers and writers: not used, and most of the build time
+# What stores properties or prints is replaced, so that the WASM module needs no streams.
+set(openmesh_without_streams "${PROJECT_SOURCE_DIR}/cmake/openmesh")
+list(FILTER openmesh_sources EXCLUDE REGEX "/(BaseProperty|PropertyCreator|omstream)\\.cc$")
+list(APPEND openmesh_sources "${openmesh_without_streams}/base_property.cpp")
 list(APPEND openmesh_sources "${openmesh_root}/OpenMesh/Tools/Decimater/Observer.cc")
 
 add_library(openmesh STATIC ${openmesh_sources})
 target_compile_definitions(openmesh PUBLIC OM_STATIC_BUILD)
-target_include_directories(openmesh SYSTEM PUBLIC "${openmesh_root}")
+target_include_directories(openmesh SYSTEM PUBLIC "${openmesh_without_streams}" "${openmesh_root}")
 # Optimised in the test build as well: only the project's own code is under test. Its warnings are not ours to mend.
 target_compile_options(openmesh PRIVATE $<IF:$<BOOL:${EMSCRIPTEN}>,-Os,-O3> -w)  # WASM is fetched: see SmallSources.cmake
 if(FOLDWRIGHT_SANITIZE)

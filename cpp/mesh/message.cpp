@@ -1,21 +1,28 @@
 #include "mesh/message.h"
 
-#include <sstream>
+#include <array>
+#include <cstdio>
+#include <string>
 
 namespace foldwright {
 namespace {
 
-/// Writes a value; lists with commas.
-struct Writer {
-  std::ostream& out;
-
-  void operator()(double number) const { out << number; }
-  void operator()(const std::string& text) const { out << text; }
-  template <class Item>
-  void operator()(const std::vector<Item>& list) const {
-    for (std::size_t i = 0; i < list.size(); ++i) out << (i == 0 ? "" : ",") << list[i];
+std::string written(double number) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.15g", number);  // whole numbers in full
+  return text.data();
+}
+std::string written(int number) { return std::to_string(number); }
+std::string written(const std::string& text) { return text; }
+template <class Item>
+std::string written(const std::vector<Item>& list) {
+  std::string text;
+  for (const Item& item : list) {
+    if (!text.empty()) text += ',';
+    text += written(item);
   }
-};
+  return text;
+}
 
 }  // namespace
 
@@ -27,14 +34,12 @@ Parameters at(const Place& place, Parameters more) {
 }
 
 std::string describe(const Message& message) {
-  std::ostringstream text;
-  text.precision(15);  // whole numbers in full
-  text << message.code;
+  std::string text = message.code;
   for (const auto& [name, value] : message.parameters) {
-    text << ' ' << name << '=';
-    std::visit(Writer{text}, value);
+    text += ' ' + name + '=';
+    text += std::visit([](const auto& held) { return written(held); }, value);
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace foldwright
