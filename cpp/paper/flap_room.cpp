@@ -48,6 +48,34 @@ Trapezoid widened(const SeamSide& side, Trapezoid flap, const FlapCover& cover,
   return flap;
 }
 
+/// Lowers a profile below obstacles beside its base.
+void lower_below(RoomProfile& profile, const SeamFrame& frame,
+                 std::span<const Obstacle* const> obstacles) {
+  Polygon local;
+  for (const Obstacle* obstacle : obstacles) {
+    local.clear();
+    for (const Vec2& p : obstacle->polygon) local.push_back(frame.local(p));
+    // What touches the base from below, as the faces of its own panel do, is no roof over it.
+    const auto is_below = [](const Vec2& p) { return p.y() <= kTouching; };
+    if (!std::ranges::all_of(local, is_below)) lower_below(profile, local);
+  }
+}
+
+/// The best flap below a profile that all obstacles but their insides are taken from.
+std::optional<Trapezoid> best_below(RoomProfile profile, const SeamSide& side,
+                                    const FlapCover& cover, const FlapShape& shape,
+                                    std::span<const Obstacle* const> obstacles) {
+  lower_below(profile, cover);
+  const auto found = best_flap(profile, cover.lean, shape);
+  // The profile sees the outlines of what is in the way, not what covers the base altogether.
+  if (!found || !is_free(side, *found, obstacles)) return std::nullopt;
+  return widened(side, *found, cover, obstacles);
+}
+
+RoomProfile fine_room(const SeamSide& side, double height) {
+  return open_room(side.length(), height, kFineBin);
+}
+
 }  // namespace
 
 std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
@@ -58,43 +86,69 @@ std::vector<Vec2> flap_corners(const SeamSide& side, const Trapezoid& flap) {
 
 FlapRoom::FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off)
     : nets_(nets) {
-  for (const Net& net : nets) {
-    const int n = static_cast<int>(obstacles_.size());
-    obstacles_.push_back({{}, BoxGrid<2>(static_cast<int>(net.corners.size()), kGridCell)});
+  for (std::size_t n = 0; n < nets.size(); ++n) {
+    const Net& net = nets[n];
+    const int faces = static_cast<int>(net.corners.size());
+    Obstacles fixed = {{}, BoxGrid<2>(faces, kGridCell)};
     for (const auto& [a, b, c] : net.corners) {
-      add(n, {net.vertices[a], net.vertices[b], net.vertices[c]});
+      fixed.add({net.vertices[a], net.vertices[b], net.vertices[c]});
     }
-  }
-  for (std::size_t n = 0; n < keep_off.size(); ++n) {
-    for (const Polygon& polygon : keep_off[n]) add(static_cast<int>(n), polygon);
+    if (n < keep_off.size()) {
+      for (const Polygon& polygon : keep_off[n]) fixed.add(polygon);
+    }
+    obstacles_.push_back({std::move(fixed), {{}, BoxGrid<2>(faces, kGridCell)}});
   }
 }
 
-std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& cover,
+FlapRoom::Site FlapRoom::site_of(const SeamSide& side, double height) const {
+  const Box2 reach = box_of(std::array{side.from, side.to}).grown(height + 1);
+  Site site = {&side, reach, obstacles_[side.net].fixed.near(reach), fine_room(side, height)};
+  std::erase_if(site.fixed,
+                [&](int i) { return std::ranges::find(side.faces, i) != side.faces.end(); });
+  lower_below(site.below_fixed, side.frame(), fixed_near(site));
+  return site;
+}
+
+std::optional<Trapezoid> FlapRoom::best(const Site& site, const FlapCover& cover,
                                         const FlapShape& shape) const {
-  return best(side, cover, shape, near(side, shape.height));
+  RoomProfile profile = site.below_fixed;
+  Pointers obstacles = taken_near(site);
+  lower_below(profile, site.side->frame(), obstacles);
+  const Pointers fixed = fixed_near(site);
+  obstacles.insert(obstacles.end(), fixed.begin(), fixed.end());
+  return best_below(std::move(profile), *site.side, cover, shape, obstacles);
 }
 
-FlapMiss FlapRoom::why_none(const SeamSide& side, const FlapCover& cover,
+FlapMiss FlapRoom::why_none(const Site& site, const FlapCover& cover,
                             const FlapShape& shape) const {
+  const SeamSide& side = *site.side;
   if (side.length() < shortest_base(shape)) return FlapMiss::kShort;
-  if (!best(side, cover, shape, {})) return FlapMiss::kThin;
-  std::vector<const Obstacle*> beside;
-  for (const Obstacle* obstacle : near(side, shape.height)) {
+  RoomProfile profile = fine_room(side, shape.height);
+  if (!best_below(profile, side, cover, shape, {})) return FlapMiss::kThin;
+  Pointers beside;
+  for (const int i : site.fixed) {
+    const Obstacle& obstacle = obstacles_[side.net].fixed.all[i];
     const bool touches = std::ranges::any_of(
-        obstacle->polygon, [&](const Vec2& p) { return p == side.from || p == side.to; });
-    if (touches && is_face(side.net, obstacle)) beside.push_back(obstacle);
+        obstacle.polygon, [&](const Vec2& p) { return p == side.from || p == side.to; });
+    if (touches && is_face(side.net, i)) beside.push_back(&obstacle);
   }
-  return best(side, cover, shape, beside) ? FlapMiss::kBlocked : FlapMiss::kNarrow;
+  lower_below(profile, side.frame(), beside);
+  const auto flap = best_below(std::move(profile), side, cover, shape, beside);
+  return flap ? FlapMiss::kBlocked : FlapMiss::kNarrow;
 }
 
-Trapezoid FlapRoom::set_apart(const SeamSide& side, const FlapCover& cover,
+Trapezoid FlapRoom::set_apart(const Site& site, const FlapCover& cover,
                               const Trapezoid& flap) const {
-  const std::vector<const Obstacle*> obstacles = near(side, flap.height);
+  const SeamSide& side = *site.side;
   FlapNeighbours neighbours;
-  for (const Obstacle* obstacle : obstacles) {
-    auto& kind = is_face(side.net, obstacle) ? neighbours.faces : neighbours.flaps;
-    kind.emplace_back(obstacle->polygon);
+  Pointers obstacles = fixed_near(site);
+  for (std::size_t i = 0; i < site.fixed.size(); ++i) {
+    auto& kind = is_face(side.net, site.fixed[i]) ? neighbours.faces : neighbours.flaps;
+    kind.emplace_back(obstacles[i]->polygon);
+  }
+  for (const Obstacle* taken : taken_near(site)) {
+    neighbours.flaps.emplace_back(taken->polygon);
+    obstacles.push_back(taken);
   }
   Trapezoid own = flap;
   for (const int end : {0, 1}) {
@@ -106,67 +160,50 @@ Trapezoid FlapRoom::set_apart(const SeamSide& side, const FlapCover& cover,
   return own;
 }
 
-bool FlapRoom::is_face(int net, const Obstacle* obstacle) const {
-  const auto index = obstacle - obstacles_[net].all.data();
-  return index < static_cast<std::ptrdiff_t>(nets_[net].corners.size());
+bool FlapRoom::is_face(int net, int fixed) const {
+  return fixed < static_cast<int>(nets_[net].corners.size());
 }
 
 int FlapRoom::take(const SeamSide& side, const Trapezoid& flap) {
-  return add(side.net, flap_corners(side, flap));
+  return obstacles_[side.net].taken.add(flap_corners(side, flap));
 }
 
 void FlapRoom::give_back(const SeamSide& side, int taken) {
-  Obstacles& obstacles = obstacles_[side.net];
-  obstacles.grid.remove(taken, obstacles.all[taken].box);
+  Obstacles& flaps = obstacles_[side.net].taken;
+  flaps.grid.remove(taken, flaps.all[taken].box);
 }
 
-int FlapRoom::add(int net, Polygon polygon) {
-  Obstacles& obstacles = obstacles_[net];
-  const int index = static_cast<int>(obstacles.all.size());
+FlapRoom::Pointers FlapRoom::fixed_near(const Site& site) const {
+  const std::vector<Obstacle>& all = obstacles_[site.side->net].fixed.all;
+  Pointers pointers;
+  for (const int i : site.fixed) pointers.push_back(&all[i]);
+  return pointers;
+}
+
+FlapRoom::Pointers FlapRoom::taken_near(const Site& site) const {
+  const Obstacles& taken = obstacles_[site.side->net].taken;
+  Pointers pointers;
+  for (const int i : taken.near(site.reach)) pointers.push_back(&taken.all[i]);
+  return pointers;
+}
+
+int FlapRoom::Obstacles::add(Polygon polygon) {
+  const int index = static_cast<int>(all.size());
   const Box2 box = box_of(polygon);
-  obstacles.grid.insert(index, box);
-  obstacles.all.push_back({std::move(polygon), box});
+  grid.insert(index, box);
+  all.push_back({std::move(polygon), box});
   return index;
 }
 
-/// Obstacles near the base of a flap so high, without the faces it belongs to.
-std::vector<const FlapRoom::Obstacle*> FlapRoom::near(const SeamSide& side, double height) const {
-  const Box2 reach = box_of(std::array{side.from, side.to}).grown(height + 1);
-  const Obstacles& obstacles = obstacles_[side.net];
+std::vector<int> FlapRoom::Obstacles::near(const Box2& reach) const {
   std::vector<int> found;
-  obstacles.grid.visit(reach, [&](int i) {
-    if (obstacles.all[i].box.meets(reach)) found.push_back(i);
+  grid.visit(reach, [&](int i) {
+    if (all[i].box.meets(reach)) found.push_back(i);
     return true;
   });
   std::ranges::sort(found);
   found.erase(std::ranges::unique(found).begin(), found.end());
-  std::vector<const Obstacle*> near;
-  near.reserve(found.size());
-  for (const int i : found) {
-    const bool is_own = std::ranges::find(side.faces, i) != side.faces.end();
-    if (!is_own) near.push_back(&obstacles.all[i]);
-  }
-  return near;
-}
-
-std::optional<Trapezoid> FlapRoom::best(const SeamSide& side, const FlapCover& cover,
-                                        const FlapShape& shape,
-                                        std::span<const Obstacle* const> obstacles) {
-  RoomProfile profile = open_room(side.length(), shape.height, kFineBin);
-  const SeamFrame frame = side.frame();
-  Polygon local;
-  for (const Obstacle* obstacle : obstacles) {
-    local.clear();
-    for (const Vec2& p : obstacle->polygon) local.push_back(frame.local(p));
-    // What touches the base from below, as the faces of its own panel do, is no roof over it.
-    const auto is_below = [](const Vec2& p) { return p.y() <= kTouching; };
-    if (!std::ranges::all_of(local, is_below)) lower_below(profile, local);
-  }
-  lower_below(profile, cover);
-  const auto found = best_flap(profile, cover.lean, shape);
-  // The profile sees the outlines of what is in the way, not what covers the base altogether.
-  if (!found || !is_free(side, *found, obstacles)) return std::nullopt;
-  return widened(side, *found, cover, obstacles);
+  return found;
 }
 
 }  // namespace foldwright

@@ -30,44 +30,60 @@ class FlapRoom {
     Polygon polygon;
     Box2 box;
   };
+  /// Where a flap may stand, with what lies around for good: several flaps are tried in one place.
+  struct Site {
+    const SeamSide* side;
+    Box2 reach;               ///< around a flap of full height
+    std::vector<int> fixed;   ///< obstacles near, but for the faces that it belongs to; ascending
+    RoomProfile below_fixed;  ///< the room that these leave
+  };
 
   /// `keep_off`: per net further convex polygons that flaps must not overlap; or empty. What is
   /// given must outlive this.
   FlapRoom(std::span<const Net> nets, std::span<const std::vector<Polygon>> keep_off);
 
-  /// The highest flap of a shape that fits a side and lies within the cover, which is that of the
+  /// The site of flaps so high, at most, on a side that must outlive it.
+  Site site_of(const SeamSide& side, double height) const;
+
+  /// The highest flap of a shape that fits a site and lies within the cover, which is that of the
   /// panel beyond; none if not even the least does.
-  std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
+  /// \pre the shape is as high as the site was looked at for
+  std::optional<Trapezoid> best(const Site& site, const FlapCover& cover,
                                 const FlapShape& shape) const;
 
-  /// What keeps a side from a flap, the first of the reasons in their order.
+  /// What keeps a site from a flap, the first of the reasons in their order.
   /// \pre `best` finds none
-  FlapMiss why_none(const SeamSide& side, const FlapCover& cover, const FlapShape& shape) const;
+  FlapMiss why_none(const Site& site, const FlapCover& cover, const FlapShape& shape) const;
 
   /// A flap that was found, but takes up no room yet, with each of its sides upon what is beside it
   /// or away from it (see `kApart`).
-  Trapezoid set_apart(const SeamSide& side, const FlapCover& cover, const Trapezoid& flap) const;
+  Trapezoid set_apart(const Site& site, const FlapCover& cover, const Trapezoid& flap) const;
 
   /// Takes up the room of a flap; a number by which it can be given back.
   int take(const SeamSide& side, const Trapezoid& flap);
   void give_back(const SeamSide& side, int taken);
 
  private:
-  /// Obstacles of one net: its faces, then all else.
   struct Obstacles {
     std::vector<Obstacle> all;
     BoxGrid<2> grid;
-  };
 
-  int add(int net, Polygon polygon);
-  bool is_face(int net, const Obstacle* obstacle) const;
-  std::vector<const Obstacle*> near(const SeamSide& side, double height) const;
-  static std::optional<Trapezoid> best(const SeamSide& side, const FlapCover& cover,
-                                       const FlapShape& shape,
-                                       std::span<const Obstacle* const> obstacles);
+    int add(Polygon polygon);
+    /// Those whose boxes meet one, ascending.
+    std::vector<int> near(const Box2& reach) const;
+  };
+  struct OfNet {
+    Obstacles fixed;  ///< its faces, then what is to be kept off
+    Obstacles taken;  ///< flaps
+  };
+  using Pointers = std::vector<const Obstacle*>;
+
+  bool is_face(int net, int fixed) const;
+  Pointers taken_near(const Site& site) const;
+  Pointers fixed_near(const Site& site) const;
 
   std::span<const Net> nets_;
-  std::vector<Obstacles> obstacles_;  ///< per net
+  std::vector<OfNet> obstacles_;  ///< per net
 };
 
 }  // namespace foldwright

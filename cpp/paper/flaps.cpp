@@ -41,6 +41,7 @@ class FlapPlacer {
         seams_(find_seams(nets, panels_)),
         wishes_(mesh, options),
         room_(nets, keep_off),
+        sites_(seams_.size()),
         corners_(seams_.size()),
         runs_(find_runs(seams_)),
         chosen_(seams_.size(), -1),
@@ -111,17 +112,22 @@ class FlapPlacer {
   FlapWish wish_of(const Seam& seam) const { return wishes_.of(seam, nets_); }
 
   /// The highest flap; at ends where `shares` is set it leaves half of the corner to another one.
-  std::optional<Trapezoid> best(int seam, int s, std::array<bool, 2> shares) const {
+  std::optional<Trapezoid> best(int seam, int s, std::array<bool, 2> shares) {
     FlapCover cover = seams_[seam].cover_of(s);
     for (const int end : {0, 1}) {
       if (shares[end]) cover.lean[end] = std::max(cover.lean[end], corners_[seam][s][end].lean);
     }
-    const SeamSide& side = seams_[seam].sides[s];
     const FlapShape shape = shape_of(seam, s);
-    const auto flap = room_.best(side, cover, shape);
+    const auto flap = room_.best(site(seam, s), cover, shape);
     const bool is_tooth = options_.style == FlapStyle::kZigzag && is_in_run(seam, s) &&
-                          side.length() <= kWidestTooth * shape.height;
+                          seams_[seam].sides[s].length() <= kWidestTooth * shape.height;
     return flap && is_tooth ? tooth_of(*flap) : flap;
+  }
+
+  const FlapRoom::Site& site(int seam, int s) {
+    auto& known = sites_[seam][s];
+    if (!known) known = room_.site_of(seams_[seam].sides[s], shape_of(seam, s).height);
+    return *known;
   }
 
   bool is_in_run(int seam, int s) const { return runs_[seam][s][0] || runs_[seam][s][1]; }
@@ -201,7 +207,7 @@ class FlapPlacer {
   }
 
   /// The best flap beside those that are there and those that are still to come.
-  std::optional<Trapezoid> best_for_now(int seam, int s) const {
+  std::optional<Trapezoid> best_for_now(int seam, int s) {
     if (!wish_of(seams_[seam]).allowed[s]) return std::nullopt;
     const auto& corners = corners_[seam][s];
     return best(seam, s, {is_awaited(corners[0].other), is_awaited(corners[1].other)});
@@ -252,7 +258,7 @@ class FlapPlacer {
       if (!placed) continue;
       const SeamSide& side = seams_[seam].sides[s];
       room_.give_back(side, placed->taken);
-      put(seam, s, room_.set_apart(side, seams_[seam].cover_of(s), placed->shape));
+      put(seam, s, room_.set_apart(site(seam, s), seams_[seam].cover_of(s), placed->shape));
     }
   }
 
@@ -278,7 +284,8 @@ class FlapPlacer {
       const bool stands = options_.side != FlapSide::kNone && is_joint(mesh_edges.front());
       if (!options_.borders && !stands) continue;
       if (!wishes_.allow_border(mesh_edges)) continue;
-      const auto flap = room_.best(side, {}, wishes_.shape_at(mesh_edges));
+      const FlapShape shape = wishes_.shape_at(mesh_edges);
+      const auto flap = room_.best(room_.site_of(side, shape.height), {}, shape);
       if (!flap) continue;
       room_.take(side, *flap);
       write_flap(side, *flap, angle_at(mesh_edges.front()));
@@ -341,12 +348,12 @@ class FlapPlacer {
     }
   }
 
-  FlapMiss why_missed(int index, const FlapWish& wish) const {
-    const Seam& seam = seams_[index];
+  FlapMiss why_missed(int index, const FlapWish& wish) {
     FlapMiss why = FlapMiss::kShort;
     for (const int s : {0, 1}) {
       if (!wish.allowed[s]) continue;
-      why = std::max(why, room_.why_none(seam.sides[s], seam.cover_of(s), shape_of(index, s)));
+      const FlapCover cover = seams_[index].cover_of(s);
+      why = std::max(why, room_.why_none(site(index, s), cover, shape_of(index, s)));
     }
     return why;
   }
@@ -358,6 +365,8 @@ class FlapPlacer {
   std::vector<Seam> seams_;
   FlapWishes wishes_;
   FlapRoom room_;
+  /// Per seam and side, once a flap was tried there.
+  std::vector<std::array<std::optional<FlapRoom::Site>, 2>> sites_;
   std::vector<std::array<std::array<Corner, 2>, 2>> corners_;  ///< per seam, side and end
   std::vector<RunEnds> runs_;                                  ///< per seam
   std::vector<SideHeights> heights_;                           ///< per seam, where flaps may be
