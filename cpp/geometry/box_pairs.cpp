@@ -96,12 +96,10 @@ struct Member {
   int box;
 };
 
-}  // namespace
-
-template <int N>
-std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
-  std::vector<std::array<int, 2>> pairs;
-  if (boxes.empty()) return pairs;
+/// Calls `visit(i, j)` for every pair, until it returns false.
+template <int N, class Visit>
+void sweep(std::span<const Box<N>> boxes, Visit&& visit) {
+  if (boxes.empty()) return;
   const Columns<N> columns(boxes);
   const int along = columns.along();
 
@@ -139,11 +137,26 @@ std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
           corner[columns.across(k)] = std::max(a->across.min[k], b->across.min[k]);
         }
         if (columns.at(corner) != column) continue;
-        pairs.push_back({std::min(a->box, b->box), std::max(a->box, b->box)});
+        if (!visit(std::min(a->box, b->box), std::max(a->box, b->box))) return;
       }
     }
   }
+}
+
+}  // namespace
+
+template <int N>
+std::vector<std::array<int, 2>> meeting_boxes(std::span<const Box<N>> boxes) {
+  std::vector<std::array<int, 2>> pairs;
+  sweep(boxes, [&](int i, int j) {
+    pairs.push_back({i, j});
+    return true;
+  });
   return pairs;
+}
+
+void visit_meeting_boxes(std::span<const Box3> boxes, const std::function<bool(int, int)>& visit) {
+  sweep(boxes, visit);
 }
 
 template std::vector<std::array<int, 2>> meeting_boxes<2>(std::span<const Box2> boxes);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,9 @@ template <int N>
 std::vector<std::array<int, 2>> meeting_boxes(const std::vector<Box<N>>& boxes) {
   return meeting_boxes<N>(std::span<const Box<N>>(boxes));
 }
+
+/// Calls `visit(i, j)` for the same pairs in the same order, until it returns false. Memory is
+/// linear in the boxes, where there may be a pair of every two: in models that were damaged.
+void visit_meeting_boxes(std::span<const Box3> boxes, const std::function<bool(int, int)>& visit);
 
 }  // namespace foldwright

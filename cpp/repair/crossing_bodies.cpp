@@ -1,6 +1,8 @@
 #include "repair/crossing_bodies.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -43,18 +45,23 @@ Crossings find_crossings(const TriangleSoup& soup, std::span<const int> bodies) 
   const double extent = extent_of(soup);
   std::vector<Box3> boxes;
   for (int f = 0; f < soup.face_count(); ++f) boxes.push_back(box_of(corners_of(soup, f)));
-  std::vector<std::pair<int, int>>& found = crossings.pairs;
-  for (const auto& [f, g] : meeting_boxes(boxes)) {
-    if (shared_corners(soup, f, g) > 0) continue;
-    if (!faces_cross(corners_of(soup, f), corners_of(soup, g), extent)) continue;
-    found.push_back(std::minmax(bodies[f], bodies[g]));
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::set<std::pair<int, int>> found;
+  const bool is_one_body =
+      std::ranges::adjacent_find(bodies, std::ranges::not_equal_to()) == bodies.end();
+  visit_meeting_boxes(boxes, [&](int f, int g) {
+    const std::pair<int, int> pair = std::minmax(bodies[f], bodies[g]);
+    // One crossing of two bodies says it all; damaged models have one of nearly every two faces.
+    if (found.contains(pair) || shared_corners(soup, f, g) > 0) return true;
+    if (faces_cross(corners_of(soup, f), corners_of(soup, g), extent)) found.insert(pair);
+    return found.empty() || !is_one_body;
+  });
   for (const auto& [body, other] : found) {
-    if (body == other) crossings.bodies.push_back(body);
+    if (body == other) {
+      crossings.bodies.push_back(body);
+    } else {
+      crossings.pairs.emplace_back(body, other);
+    }
   }
-  std::erase_if(found, [](const auto& pair) { return pair.first == pair.second; });
   return crossings;
 }
 

@@ -52,6 +52,21 @@ TEST(MeetingBoxes, AreThoseThatLookingAtAllPairsFinds) {
   }
 }
 
+TEST(MeetingBoxes, AreVisitedInTheSameOrderUntilOneIsEnough) {
+  Random random(1);
+  const std::vector<Box3> boxes = random_boxes<3>(random, 200, 0.3);
+  const Pairs all = meeting_boxes(boxes);
+  for (const std::size_t enough : {std::size_t{1}, all.size() / 2, all.size() + 1}) {
+    Pairs visited;
+    visit_meeting_boxes(boxes, [&](int i, int j) {
+      visited.push_back({i, j});
+      return visited.size() < enough;
+    });
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(enough, all.size()));
+    EXPECT_EQ(visited, Pairs(all.begin(), end));
+  }
+}
+
 TEST(MeetingBoxes, MayDifferMuchInSize) {
   Random random(1);
   std::vector<Box2> boxes = random_boxes<2>(random, 300, 0.02);
