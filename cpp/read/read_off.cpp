@@ -1,4 +1,6 @@
+#include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mesh/input_error.h"
@@ -42,6 +44,7 @@ Counts read_counts(TextScanner& scanner, const OffLayout& layout) {
 
 /// What comes between the counts, the vertices and the faces.
 struct Gaps {
+  bool is_line_each = false;  // every vertex and face has a line of its own
   bool end_with_line = true;  // all that follows in the line, or else so many words:
   int after_counts = 0;       // the number of edges
   int after_vertex = 0;       // normal, colour, texture coordinates
@@ -111,12 +114,13 @@ bool fits(TextScanner scanner, const OffLayout& layout, const Counts& counts, co
 /// Files with one vertex or face per line need no counting of numbers, and may have more of them
 /// than their keyword says. Others wrap their lines anywhere: there, all numbers must be told.
 Gaps find_gaps(const TextScanner& after_counts, const OffLayout& layout, const Counts& counts) {
-  if (lines_with_words(after_counts) == counts.vertices + counts.faces) return {};
+  if (lines_with_words(after_counts) == counts.vertices + counts.faces) return {true};
   const int fixed = (layout.has_normal ? 3 : 0) + (layout.has_texture ? 2 : 0);
   for (const int edges : {1, 0}) {
     for (const int vertex_colour : {4, 3}) {  // with alpha or without
       for (const int face_colour : {0, 3, 4, 1}) {
-        const Gaps gaps{false, edges, fixed + (layout.has_colour ? vertex_colour : 0), face_colour};
+        const Gaps gaps{false, false, edges, fixed + (layout.has_colour ? vertex_colour : 0),
+                        face_colour};
         if (fits(after_counts, layout, counts, gaps)) return gaps;
       }
     }
@@ -124,29 +128,45 @@ Gaps find_gaps(const TextScanner& after_counts, const OffLayout& layout, const C
   return {};
 }
 
-void read_vertex(TextScanner& scanner, const OffLayout& layout, SoupBuilder& builder) {
+/// The next number of a vertex or face; empty where it has a line of its own, which ends before:
+/// what is missing there must not be taken from the next one.
+std::string_view next_number(TextScanner& scanner, const Gaps& gaps) {
+  return gaps.is_line_each ? scanner.word_in_line() : scanner.number_word();
+}
+
+/// One coordinate of a vertex; none where it is missing or no number.
+double read_coordinate(TextScanner& scanner, const Gaps& gaps, SoupBuilder& builder) {
+  const std::string_view word = next_number(scanner, gaps);
+  if (!word.empty()) return builder.text_coordinate(word, scanner.line());
+  builder.meet_fault({"truncated", here(scanner), {{"what", "coordinates"}}});
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void read_vertex(TextScanner& scanner, const OffLayout& layout, const Gaps& gaps,
+                 SoupBuilder& builder) {
   const Place place = here(scanner);
   Vec3 position;
-  for (double& coordinate : position) {
-    const std::string_view word = scanner.number_word();
-    coordinate = builder.text_coordinate(word, scanner.line());
-  }
+  for (double& coordinate : position) coordinate = read_coordinate(scanner, gaps, builder);
   if (layout.is_homogeneous) {
-    const double w = scanner.number();
+    const std::string_view word = next_number(scanner, gaps);
+    const double w = word.empty() ? 0 : number_of(word, scanner.line());
     if (w == 0) builder.meet_fault({"not-finite", here(scanner), {{"what", "weight"}}});
     position /= w;
   }
   builder.add_vertex(position, place);
 }
 
-void read_face(TextScanner& scanner, SoupBuilder& builder) {
+void read_face(TextScanner& scanner, const Gaps& gaps, SoupBuilder& builder) {
   const long long corners = scanner.integer();
   const Place place = here(scanner);
   for (long long i = 0; i < corners; ++i) {
-    const std::string_view word = scanner.number_word();
+    const std::string_view word = next_number(scanner, gaps);
     const std::optional<long long> index = parse_integer(word);
     if (index) {
       builder.add_corner(*index);
+    } else if (word.empty()) {
+      builder.add_lost_corner({"truncated", place, {{"what", "corners"}}});
+      break;
     } else {
       builder.add_lost_corner(no_whole_number(word, scanner.line()));
     }
@@ -171,12 +191,12 @@ void read_text(TextScanner scanner, const OffLayout& layout, SoupBuilder& builde
   read_gap(scanner, gaps, gaps.after_counts);
   for (long long v = 0; v < counts.vertices; ++v) {
     if (!find_word(scanner)) fail_at_end(scanner, "vertices", v, counts.vertices);
-    read_vertex(scanner, layout, builder);
+    read_vertex(scanner, layout, gaps, builder);
     take_vertex_looks(read_gap(scanner, gaps, gaps.after_vertex), layout, builder);
   }
   for (long long f = 0; f < counts.faces; ++f) {
     if (!find_word(scanner)) fail_at_end(scanner, "faces", f, counts.faces);
-    read_face(scanner, builder);
+    read_face(scanner, gaps, builder);
     take_face_looks(read_gap(scanner, gaps, gaps.after_face), builder);
   }
   if (find_word(scanner)) {

@@ -45,7 +45,7 @@ TEST(ReadOff, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("OFF\n5 2 0\n0 0 0", "a.off"),
             "truncated place=line at=3 what=vertices done=1 announced=5");
   EXPECT_EQ(refusal("OFF\n1 1 0\n0 0 0\n999999999 0 0\n", "a.off"),
-            "truncated place=line at=4 what=number");
+            "truncated place=line at=4 what=corners");
   EXPECT_EQ(refusal("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "a.off"),
             "bad-index place=line at=4 what=beyond index=1 vertices=1 first=0");
   EXPECT_EQ(refusal("OFF\n-1 1 0\n", "a.off"), "bad-header place=line at=2 what=counts");
@@ -54,6 +54,18 @@ TEST(ReadOff, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("nOFF\n2\n1 1 0\n0 0\n", "a.off"), "bad-header what=dimensions dimensions=2");
   EXPECT_EQ(refusal("4OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n", "a.off"),
             "not-finite place=line at=3 what=weight");
+}
+
+TEST(ReadOff, LeavesTheNextLineToItself) {
+  // A vertex and a face lack a number; all others keep theirs.
+  const PolygonSoup soup = read_text(
+      "OFF\n5 4 0\n0 0 0\n1 0 0\n1 10\n0 1 0\n2 0 0\n3 0 1 3\n3 1 4\n3 0 2 3\n3 1 4 3\n", "a.off");
+  EXPECT_EQ(soup.positions[3], Vec3(0, 1, 0));
+  ASSERT_EQ(soup.face_count(), 4);
+  EXPECT_EQ(corners_of(soup, 0), (Corners{0, 1, 3}));
+  EXPECT_EQ(corners_of(soup, 3), (Corners{1, 4, 3}));
+  EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a.off"),
+            "truncated place=line at=4 what=coordinates");
 }
 
 TEST(ReadOff, TellsHowFarCoordinatesWereRounded) {

@@ -48,7 +48,7 @@ export interface EngineMessages {
   'not-finite': { what: 'coordinate' | 'weight' } & At;
   'too-many-corners': { face: number; corners: number; most: number };
   truncated:
-    | ({ what: 'number' | 'coordinates' | 'face' | 'ply-header' | 'more' } & At)
+    | ({ what: 'number' | 'coordinates' | 'corners' | 'face' | 'ply-header' | 'more' } & At)
     | { what: 'stl-header'; bytes: number }
     | ({ what: 'triangles'; announced: number } & At)
     | ({ what: 'element'; announced: number; element: string } & At)

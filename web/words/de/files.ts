@@ -156,6 +156,8 @@ function truncated(params: Messages['truncated']): string {
       return `${prefix(params)}die Datei endet, wo eine Zahl erwartet wird`;
     case 'coordinates':
       return `${prefix(params)}die Ecke hat weniger als 3 Koordinaten`;
+    case 'corners':
+      return `${prefix(params)}die Fläche hat weniger Ecken als angekündigt`;
     case 'face':
       return `${prefix(params)}die Datei endet mitten in einer Fläche`;
     case 'ply-header':

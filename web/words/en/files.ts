@@ -151,6 +151,8 @@ function truncated(params: Messages['truncated']): string {
       return `${prefix(params)}the file ends where a number is expected`;
     case 'coordinates':
       return `${prefix(params)}vertex has fewer than 3 coordinates`;
+    case 'corners':
+      return `${prefix(params)}face has fewer corners than it announces`;
     case 'face':
       return `${prefix(params)}the file ends in the middle of a face`;
     case 'ply-header':

@@ -164,6 +164,8 @@ function truncated(params: Messages['truncated']): string {
       return `${prefix(params)}el archivo termina donde se espera un número`;
     case 'coordinates':
       return `${prefix(params)}el vértice tiene menos de 3 coordenadas`;
+    case 'corners':
+      return `${prefix(params)}la cara tiene menos vértices de los que anuncia`;
     case 'face':
       return `${prefix(params)}el archivo termina en medio de una cara`;
     case 'ply-header':

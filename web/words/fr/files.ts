@@ -161,6 +161,8 @@ function truncated(params: Messages['truncated']): string {
       return `${prefix(params)}le fichier se termine là où un nombre est attendu`;
     case 'coordinates':
       return `${prefix(params)}le sommet a moins de 3 coordonnées`;
+    case 'corners':
+      return `${prefix(params)}la face a moins de sommets qu’elle n’en annonce`;
     case 'face':
       return `${prefix(params)}le fichier se termine au milieu d’une face`;
     case 'ply-header':

@@ -165,6 +165,8 @@ function truncated(params: Messages['truncated']): string {
       return `${prefix(params)}数があるはずの場所でファイルが終わっています`;
     case 'coordinates':
       return `${prefix(params)}頂点の座標が3つありません`;
+    case 'corners':
+      return `${prefix(params)}面の頂点が、書かれた数より少なくなっています`;
     case 'face':
       return `${prefix(params)}面の途中でファイルが終わっています`;
     case 'ply-header':
