@@ -1,6 +1,6 @@
 /** The models and options that nets are judged by at large. */
 import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export interface CorpusCase {
@@ -46,4 +46,16 @@ export function corpusCases(shared: string): CorpusCase[] {
 /** The models whose sheets are judged at large: those that people would build. */
 export function sheetCases(shared: string): Pick<CorpusCase, 'model' | 'path'>[] {
   return modelsIn(shared, 2000).map((model) => ({ model, path: join(shared, 'models', model) }));
+}
+
+/** Files that only belong to others, or tell people of them. */
+const besides = /(?:\.(?:bin|jpe?g|md|mtl|png|svg|txt)|\/(?:LICENSE\b.*|COPYING\b.*))$/i;
+
+/** Paths of all models below a folder of the shared ones, of whatever format, without the files that belong to them. */
+export function modelsBelow(shared: string, folder: string): string[] {
+  return readdirSync(join(shared, folder), { withFileTypes: true, recursive: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(shared, join(entry.parentPath, entry.name)))
+    .filter((path) => !besides.test(path))
+    .sort();
 }

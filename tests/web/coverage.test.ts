@@ -1,6 +1,5 @@
 /** What becomes of every file of other people's: read, repaired or refused, and as what. */
-import { readdirSync } from 'node:fs';
-import { join, relative } from 'node:path';
+import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import type { Inspection } from '../../web/api/inspect.js';
 import { Session } from '../../web/api/session.js';
@@ -12,22 +11,12 @@ import type { Message } from '../../web/model/message.js';
 import { count } from '../../web/words/en/numbers.js';
 import { sharedFolder } from './command.js';
 import { expectGolden } from './golden.js';
+import { modelsBelow } from './corpus.js';
 import { volumeOf } from './read-model.js';
 import { isEngineBuilt, withThreads } from './thread-pool.js';
 
 const shared = sharedFolder();
 const none = (): Promise<Uint8Array> => Promise.reject(new Error('nothing is drawn here'));
-
-/** Files that only belong to others, or tell people of them. */
-const besides = /(?:\.(?:bin|jpe?g|md|mtl|png|svg|txt)|\/(?:LICENSE\b.*|COPYING\b.*))$/i;
-
-function modelsBelow(folder: string): string[] {
-  return readdirSync(join(shared!, folder), { withFileTypes: true, recursive: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => relative(shared!, join(entry.parentPath, entry.name)))
-    .filter((path) => !besides.test(path))
-    .sort();
-}
 
 /** One row of the table. */
 interface Row {
@@ -105,7 +94,7 @@ describe.skipIf(shared === null || !isEngineBuilt)('files of other people', () =
   it('are read, repaired or refused as ever', { timeout: 600_000 }, () =>
     withThreads(1, async (pool) => {
       const rows: Row[] = [];
-      for (const path of ['models', 'nasty'].flatMap(modelsBelow)) {
+      for (const path of ['models', 'nasty'].flatMap((folder) => modelsBelow(shared!, folder))) {
         rows.push(await outcomeOf(pool, path));
       }
       const counts = (['read', 'repaired', 'refused'] as const).map((outcome) => {
