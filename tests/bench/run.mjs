@@ -96,5 +96,6 @@ if (process.argv.includes('--full')) {
   run('build/release/bench_edit_stages', [], 'inherit');
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
+  run(process.execPath, ['tests/bench/damaged.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/auto.mjs'], 'inherit');
 }
