@@ -73,6 +73,18 @@ PinnedPiece pinned_piece(const val& object) {
   return {object["part"].as<int>(), object["face"].as<int>(), {place, radians(object["angle"])}};
 }
 
+/// The steps of the repair that are named.
+RepairSteps repair_steps(const val& names) {
+  RepairSteps steps;
+  for (const std::string& name : emscripten::vecFromJSArray<std::string>(names)) {
+    const auto is_called = [&](const RepairStepRow& row) { return row.name == name; };
+    const auto row = std::ranges::find_if(kRepairSteps, is_called);
+    if (row == kRepairSteps.end()) throw std::invalid_argument("unknown word: " + name);
+    steps.set(static_cast<std::size_t>(row - kRepairSteps.begin()));
+  }
+  return steps;
+}
+
 /// The items of an array.
 template <class Convert>
 auto items(const val& array, Convert&& convert) {
@@ -99,6 +111,7 @@ JobOptions options_from(const val& object) {
   options.model.fill_holes = object["fillHoles"].as<double>();
   options.model.drop_inner = object["dropInner"].as<bool>();
   options.model.unite = object["unite"].as<bool>();
+  options.model.off = repair_steps(object["repairOff"]);
   options.paper.size.by = from_name<Sizing>(kSizings, word(object["sizing"]));
   options.paper.size.value = object["size"].as<double>();
   options.paper.size.unit = from_name<Unit>(kUnits, word(object["unit"]));

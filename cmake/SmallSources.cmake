@@ -32,7 +32,7 @@ list(REMOVE_ITEM engine_sources ${small_sources})
 set(loop_sources ${small_sources})
 list(FILTER loop_sources INCLUDE REGEX "/(read|repair|simplify)/|/spectral")
 # These go through few things, or call others that loop.
-list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|mend_bodies|repair|joints|model_files|model_format|mirror_half|simplify)\\.cpp$")
+list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|make_manifold|mend_bodies|repair|thin_bodies|joints|model_files|model_format|mirror_half|simplify)\\.cpp$")
 list(REMOVE_ITEM small_sources ${loop_sources})
 
 # Elsewhere: what is done once per net, or for the few nets and faces that need it.

@@ -94,12 +94,14 @@ bool all_kept(const std::vector<char>& keep, const std::vector<int>& faces) {
   return std::all_of(faces.begin(), faces.end(), [&](int face) { return keep[face]; });
 }
 
-void merge_layers(TriangleSoup& soup, double tolerance, LayerExtent extent,
+void merge_layers(TriangleSoup& soup, double tolerance, LayerExtent extent, LayerChoice choice,
                   std::vector<int>& two_sided) {
   const EdgeGroups groups = group_half_edges(soup);
   std::vector<Twins> same;
   std::vector<Twins> opposite;
   find_twins(soup, groups, tolerance, extent, same, opposite);
+  if (!choice.same) same.clear();
+  if (!choice.opposite) opposite.clear();
   if (same.empty() && opposite.empty()) return;
   std::vector<char> keep(soup.faces.size(), true);
   for (const Twins& twin : same) {
@@ -118,15 +120,15 @@ void merge_layers(TriangleSoup& soup, double tolerance, LayerExtent extent,
 
 }  // namespace
 
-std::vector<int> merge_sides(TriangleSoup& soup, double tolerance) {
+std::vector<int> merge_sides(TriangleSoup& soup, double tolerance, LayerChoice choice) {
   std::vector<int> two_sided;
   // Whole polygons first: taken apart, or without a triangle that they happen to share, three
   // layers may be left in shares that repeat each other in no way.
-  merge_layers(soup, tolerance, LayerExtent::kWhole, two_sided);
+  merge_layers(soup, tolerance, LayerExtent::kWhole, choice, two_sided);
   // At edges with very many faces no layers are told apart; single triangles are all the same.
-  drop_duplicates(soup);
+  if (choice.same) drop_duplicates(soup);
   // What is flat only from edge to edge.
-  merge_layers(soup, tolerance, LayerExtent::kToSharedEdges, two_sided);
+  merge_layers(soup, tolerance, LayerExtent::kToSharedEdges, choice, two_sided);
   return two_sided;
 }
 

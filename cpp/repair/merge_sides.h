@@ -6,6 +6,12 @@
 
 namespace foldwright {
 
+/// Which layers of faces that lie on each other are dropped.
+struct LayerChoice {
+  bool same = true;      ///< those with the same side up
+  bool opposite = true;  ///< those with the other side up
+};
+
 /// Drops what repeats faces, however both are cut into triangles, and makes one skin of surfaces
 /// that are given from both sides.
 ///
@@ -16,6 +22,6 @@ namespace foldwright {
 /// faces go on. Keeps the order of the faces. Returns the source faces of those that were dropped
 /// for what lies on their other side, in no particular order.
 /// n log n.
-std::vector<int> merge_sides(TriangleSoup& soup, double tolerance);
+std::vector<int> merge_sides(TriangleSoup& soup, double tolerance, LayerChoice choice = {});
 
 }  // namespace foldwright

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -9,16 +10,15 @@
 #include "repair/close_cracks.h"
 #include "repair/drawn_planes.h"
 #include "repair/drop_faces.h"
-#include "repair/edge_groups.h"
 #include "repair/fill_holes.h"
 #include "repair/flatten_planes.h"
-#include "repair/join_faces.h"
+#include "repair/frame.h"
 #include "repair/joints.h"
+#include "repair/make_manifold.h"
 #include "repair/mend_bodies.h"
 #include "repair/merge_sides.h"
-#include "repair/orient.h"
-#include "repair/split_nonmanifold.h"
 #include "repair/t_junctions.h"
+#include "repair/thin_bodies.h"
 #include "repair/triangulate_soup.h"
 #include "repair/unite_bodies.h"
 #include "repair/weld.h"
@@ -31,42 +31,34 @@ void report(RepairedModel& model, Code code, int count, Parameters more = {}) {
   if (count > 0) model.repairs.push_back({code, count, std::move(more)});
 }
 
-/// The model's own units and the repair's, in which it is about 1 across: squares of areas would
-/// leave the range of doubles at 1e-30 or 1e30. Powers of two, so that nothing is rounded.
-struct Frame {
-  Vec3 centre;
-  int exponent;
-  double diagonal;  // of the bounding box, in the repair's units
-  double longest;   // side of the box, in the repair's units
-
-  double scaled(double length) const { return std::ldexp(length, -exponent); }
-  double in_model_units(double length) const { return std::ldexp(length, exponent); }
-  Vec3 in_model_units(const Vec3& p) const {
-    return p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
-  }
-  Vec3 scaled(const Vec3& p) const {
-    return (p - centre).unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
-  }
+/// What a step did and to how many things, or would do where it is switched off.
+struct StepWork {
+  RepairStep step;
+  Code code;
+  int count;
+  Parameters more = {};
 };
 
-Frame frame_of(std::span<const Vec3> positions) {
-  // Volumes and squares of areas of what comes later stay in the range of doubles.
-  constexpr double kSmallest = 1e-60;
-  constexpr double kLargest = 1e60;
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : positions) box.extend(p);
-  const Vec3 half = 0.5 * box.max() - 0.5 * box.min();  // without overflow
-  const double size = half.maxCoeff();
-  if (size == 0) throw InputError("no-area", {{"what", "point"}});
-  if (size < kSmallest || size > kLargest) {
-    throw InputError("bad-size", {{"least", kSmallest}, {"most", kLargest}});
+void report(RepairedModel& model, const RepairOptions& options, StepWork work) {
+  if (options.does(work.step)) {
+    return report(model, work.code, work.count, std::move(work.more));
   }
-  Frame frame{0.5 * box.max() + 0.5 * box.min(), 0, 0, 0};
-  std::frexp(size, &frame.exponent);
-  frame.diagonal = 2 * frame.scaled(frame.centre + half).norm();
-  frame.longest = 2 * frame.scaled(size);
-  return frame;
+  const std::string_view name = kRepairSteps[static_cast<std::size_t>(work.step)].name;
+  report(model, "step-off", work.count, {{"what", name}});
 }
+
+/// What a step works on: where it is switched off a copy, which tells what it would do.
+class Workpiece {
+ public:
+  Workpiece(TriangleSoup& triangles, bool is_done)
+      : copy_(is_done ? TriangleSoup{} : triangles), piece_(is_done ? triangles : copy_) {}
+
+  TriangleSoup& operator*() { return piece_; }
+
+ private:
+  TriangleSoup copy_;
+  TriangleSoup& piece_;
+};
 
 /// Indices of the vertices that some face uses, ascending.
 std::vector<int> used_vertices(std::span<const int> corners, std::size_t vertex_count) {
@@ -90,17 +82,17 @@ int count_sources(const TriangleSoup& soup, int source_count, const std::vector<
 }
 
 TriangleSoup welded_triangles(const PolygonSoup& soup, const std::vector<int>& used,
-                              const Frame& frame, double tolerance, RepairedModel& model) {
+                              const Frame& frame, const RepairOptions& options,
+                              RepairedModel& model) {
   std::vector<Vec3> positions;
   for (const int v : used) positions.push_back(frame.scaled(soup.positions[v]));
-  const std::vector<int> standing_for = weld(positions, tolerance);
-  std::vector<int> vertex_of(soup.positions.size(), -1);
+  std::vector<int> standing_for = weld(positions, options.weld_tolerance * frame.diagonal);
   int welded = 0;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    vertex_of[used[i]] = standing_for[i];
-    welded += standing_for[i] != static_cast<int>(i);
-  }
-  report(model, "welded-vertices", welded);
+  for (std::size_t i = 0; i < used.size(); ++i) welded += standing_for[i] != static_cast<int>(i);
+  report(model, options, {RepairStep::kWeld, "welded-vertices", welded});
+  if (!options.does(RepairStep::kWeld)) std::iota(standing_for.begin(), standing_for.end(), 0);
+  std::vector<int> vertex_of(soup.positions.size(), -1);
+  for (std::size_t i = 0; i < used.size(); ++i) vertex_of[used[i]] = standing_for[i];
   int polygons = 0;
   for (int f = 0; f < soup.face_count(); ++f) {
     polygons += soup.first_corner[f + 1] - soup.first_corner[f] > 3;
@@ -131,32 +123,46 @@ class FaceDropper {
  public:
   // Vertices are at least the tolerance apart, so that the apex of a triangle this small lies
   // within two tolerances of its longest side: the crack it leaves is within reach of the closer.
-  FaceDropper(int source_count, double tolerance)
-      : source_count_(source_count), tolerance_(tolerance) {}
+  FaceDropper(int source_count, double tolerance, LayerChoice layers)
+      : source_count_(source_count), tolerance_(tolerance), layers_(layers) {}
 
   void drop(TriangleSoup& triangles) {
     drop_degenerate(triangles, tolerance_ * tolerance_);
     const int before = count_sources(triangles, source_count_, nullptr);
-    const std::vector<int> other_sides = merge_sides(triangles, tolerance_);
+    const std::vector<int> other_sides = merge_sides(triangles, tolerance_, layers_);
     const int two_sided = count_lost(triangles, source_count_, other_sides);
     two_sided_ += two_sided;
     duplicates_ += before - count_sources(triangles, source_count_, nullptr) - two_sided;
   }
 
-  void report_to(RepairedModel& model, const TriangleSoup& triangles) const {
+  void report_to(RepairedModel& model, const TriangleSoup& triangles,
+                 const RepairOptions& options) const {
     const int left = count_sources(triangles, source_count_, nullptr);
     const int told = duplicates_ + two_sided_ + model.unusable_faces;
     report(model, "dropped-degenerate-faces", source_count_ - left - told);
-    report(model, "dropped-duplicate-faces", duplicates_);
-    report(model, "merged-two-sided", two_sided_);
+    FaceDropper all(source_count_, tolerance_, {});
+    TriangleSoup copy = triangles;
+    if (!layers_.same || !layers_.opposite) all.drop(copy);
+    report(model, options,
+           {RepairStep::kDuplicates, "dropped-duplicate-faces",
+            layers_.same ? duplicates_ : all.duplicates_});
+    report(model, options,
+           {RepairStep::kTwoSided, "merged-two-sided",
+            layers_.opposite ? two_sided_ : all.two_sided_});
   }
 
  private:
   int source_count_;
   double tolerance_;
+  LayerChoice layers_;
   int duplicates_ = 0;
   int two_sided_ = 0;
 };
+
+LayerChoice dropped_layers(const RepairOptions& options) {
+  return {.same = options.does(RepairStep::kDuplicates),
+          .opposite = options.does(RepairStep::kTwoSided)};
+}
 
 /// Closes T-junctions of an edge's length, dropping what is left without an area.
 ClosedCracks close_junctions(TriangleSoup& triangles, double tolerance, FaceDropper& dropper) {
@@ -177,14 +183,26 @@ ClosedCracks close_junctions(TriangleSoup& triangles, double tolerance, FaceDrop
 void mend_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
                 RepairedModel& model) {
   const double tolerance = options.weld_tolerance * frame.diagonal;
-  FaceDropper dropper(model.source_face_count, tolerance);
-  const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
-  const ClosedCracks cracks = close_cracks(triangles, options.widest_crack * frame.diagonal);
+  FaceDropper dropper(model.source_face_count, tolerance, dropped_layers(options));
+  const bool joins = options.does(RepairStep::kJunctions);
+  if (!joins) dropper.drop(triangles);
+  FaceDropper others = dropper;
+  const ClosedCracks junctions =
+      close_junctions(*Workpiece(triangles, joins), tolerance, joins ? dropper : others);
+  const bool closes = options.does(RepairStep::kCracks);
+  const ClosedCracks cracks =
+      close_cracks(*Workpiece(triangles, closes), options.widest_crack * frame.diagonal);
   dropper.drop(triangles);
-  dropper.report_to(model, triangles);
-  model.largest_move += frame.in_model_units(junctions.moved + cracks.moved);
-  report(model, "closed-t-junctions", junctions.edges);
-  report(model, "closed-cracks", cracks.edges, {{"width", frame.in_model_units(cracks.width)}});
+  dropper.report_to(model, triangles, options);
+  for (const auto& [is_done, moved] : {std::pair(joins, junctions.moved), {closes, cracks.moved}}) {
+    if (is_done) model.largest_move += frame.in_model_units(moved);
+  }
+  report(model, options, {RepairStep::kJunctions, "closed-t-junctions", junctions.edges});
+  report(model, options,
+         {RepairStep::kCracks,
+          "closed-cracks",
+          cracks.edges,
+          {{"width", frame.in_model_units(cracks.width)}}});
   if (triangles.faces.empty()) throw InputError("no-area", {{"what", "faces"}});
 }
 
@@ -210,54 +228,22 @@ void mend_holes(TriangleSoup& triangles, const Frame& frame, const RepairOptions
 }
 
 /// Makes flat what was drawn flat.
-void flatten_faces(TriangleSoup& triangles, const Frame& frame, RepairedModel& model) {
-  const Flattening flattening = flatten_planes(triangles, find_drawn_planes(triangles));
+void flatten_faces(TriangleSoup& triangles, const Frame& frame, const RepairOptions& options,
+                   RepairedModel& model) {
+  const bool is_done = options.does(RepairStep::kFlatten);
+  const Flattening flattening =
+      flatten_planes(*Workpiece(triangles, is_done), find_drawn_planes(triangles));
   std::vector<char> flattened(triangles.faces.size(), false);
   for (const int face : flattening.faces) flattened[face] = true;
-  model.largest_move += frame.in_model_units(flattening.distance);
-  report(model, "flattened-faces", count_sources(triangles, model.source_face_count, &flattened),
-         {{"distance", frame.in_model_units(flattening.distance)}});
+  if (is_done) model.largest_move += frame.in_model_units(flattening.distance);
+  report(model, options,
+         {RepairStep::kFlatten,
+          "flattened-faces",
+          count_sources(triangles, model.source_face_count, &flattened),
+          {{"distance", frame.in_model_units(flattening.distance)}}});
 }
 
-/// What it took to make a surface an oriented manifold.
-struct ManifoldWork {
-  std::vector<char> turned;  // per face: whether its winding is not that of the file
-  int nonmanifold_edges = 0;
-  int contradictions = 0;
-  Splits splits;
-};
-
-/// Winds the faces and takes edges and vertices apart until the surface is an oriented manifold.
-ManifoldWork make_manifold(TriangleSoup& triangles) {
-  ManifoldWork work;
-  std::vector<char> turned(triangles.faces.size(), false);
-  Partners partners = join_manifold_edges(triangles, group_half_edges(triangles));
-  const Orientation patches = orient(triangles, partners, turned);
-  turn_faces(triangles, partners, patches.turned);
-  turned = patches.turned;
-
-  // Only faces that know their outside can be paired; the pairs in turn may connect patches that
-  // were wound by guess.
-  work.nonmanifold_edges =
-      join_nonmanifold_edges(triangles, group_half_edges(triangles), patches, partners);
-  const Orientation whole = orient(triangles, partners, turned);
-  for (const int h : whole.contradictions) {
-    partners[partners[h]] = -1;
-    partners[h] = -1;
-  }
-  turn_faces(triangles, partners, whole.turned);
-  for (std::size_t f = 0; f < turned.size(); ++f) turned[f] ^= whole.turned[f];
-  work.contradictions = static_cast<int>(whole.contradictions.size());
-  work.splits = split_nonmanifold(triangles, partners);
-  // What a split has added comes from faces of the file that are counted already.
-  turned.resize(triangles.faces.size(), false);
-  work.turned = std::move(turned);
-  return work;
-}
-
-void report_manifold(const TriangleSoup& triangles, const ManifoldWork& work,
-                     RepairedModel& model) {
-  report(model, "flipped-faces", count_sources(triangles, model.source_face_count, &work.turned));
+void report_manifold(const ManifoldWork& work, RepairedModel& model) {
   report(model, "split-nonmanifold-edges", work.nonmanifold_edges);
   report(model, "split-nonmanifold-vertices", work.splits.vertices);
   report(model, "halved-edges", work.splits.midpoints);
@@ -282,9 +268,13 @@ void unite_crossing_bodies(TriangleSoup& triangles, const Frame& frame, const Bo
   const UnitedBodies result = unite_bodies(triangles, bodies, options.uniter);
   // Where surfaces nearly touch, they are cut into faces without an area.
   const double tolerance = options.weld_tolerance * frame.diagonal;
-  FaceDropper dropper(model.source_face_count, tolerance);
-  const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
-  model.largest_move += frame.in_model_units(junctions.moved);
+  FaceDropper dropper(model.source_face_count, tolerance, dropped_layers(options));
+  if (options.does(RepairStep::kJunctions)) {
+    const ClosedCracks junctions = close_junctions(triangles, tolerance, dropper);
+    model.largest_move += frame.in_model_units(junctions.moved);
+  } else {
+    dropper.drop(triangles);
+  }
   const int left = count_sources(triangles, model.source_face_count, nullptr);
   report(model, "united-bodies", result.united, {{"faces", before - left}});
   report(model, "not-united", result.open + result.failed, {{"open", result.open}});
@@ -295,16 +285,24 @@ BodyWork mend_surface(TriangleSoup& triangles, const Frame& frame, const RepairO
                       RepairedModel& model) {
   ManifoldWork manifold = make_manifold(triangles);
   BodyWork bodies = mend_bodies(triangles, manifold.turned);
+  const auto turned = [&] {
+    return count_sources(triangles, model.source_face_count, &manifold.turned);
+  };
   if (options.unite && !bodies.crossings.pairs.empty()) {
-    report_manifold(triangles, manifold, model);
+    report(model, "flipped-faces", turned());
+    report_manifold(manifold, model);
     unite_crossing_bodies(triangles, frame, bodies, options, model);
-    std::vector<char> turned = make_manifold(triangles).turned;
-    bodies = mend_bodies(triangles, turned);
-    sort_out_inner(triangles, options, bodies, turned, model);
-  } else {
-    sort_out_inner(triangles, options, bodies, manifold.turned, model);
-    report_manifold(triangles, manifold, model);
+    std::vector<char> turned_then = make_manifold(triangles).turned;
+    bodies = mend_bodies(triangles, turned_then);
+    sort_out_inner(triangles, options, bodies, turned_then, model);
+    return bodies;
   }
+  sort_out_inner(triangles, options, bodies, manifold.turned, model);
+  report(model, options, {RepairStep::kWinding, "flipped-faces", turned()});
+  if (!options.does(RepairStep::kWinding)) {
+    manifold.splits.midpoints += restore_winding(triangles, manifold.turned).midpoints;
+  }
+  report_manifold(manifold, model);
   return bodies;
 }
 
@@ -334,11 +332,15 @@ void finish_mesh(TriangleSoup&& triangles, const Frame& frame, RepairedModel& mo
 }
 
 /// Tells what the mesh is, where people may not know or may have meant something else.
-void report_shape(RepairedModel& model, const RepairOptions& options, const BodyWork& bodies) {
+void report_shape(RepairedModel& model, const Frame& frame, const RepairOptions& options,
+                  const BodyWork& bodies) {
   const Crossings& crossings = bodies.crossings;
   int borders = 0;
   for (const Mesh::Edge& edge : model.mesh.edges) borders += edge.faces[1] == -1;
-  report(model, "open-border", borders, {{"gap", options.widest_crack}});
+  const double tolerance = options.weld_tolerance * frame.diagonal;
+  const ThinBodies thin = find_thin_bodies(model.mesh, frame.in_model_units(tolerance));
+  report(model, "open-border", borders, {{"gap", options.widest_crack}, {"bodies", thin.open}});
+  report(model, "flat-bodies", thin.flat);
   report(model, "crossing-bodies", static_cast<int>(crossings.pairs.size()),
          {{"unitable", options.unite ? 0 : bodies.unitable()}});
   report(model, "self-crossing-bodies", static_cast<int>(crossings.bodies.size()));
@@ -359,14 +361,13 @@ RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options) {
   std::vector<Vec3> used_positions;
   for (const int v : used) used_positions.push_back(soup.positions[v]);
   const Frame frame = frame_of(used_positions);
-  const double tolerance = options.weld_tolerance * frame.diagonal;
-  TriangleSoup triangles = welded_triangles(soup, used, frame, tolerance, model);
+  TriangleSoup triangles = welded_triangles(soup, used, frame, options, model);
   mend_faces(triangles, frame, options, model);
   mend_holes(triangles, frame, options, model);
   const BodyWork bodies = mend_surface(triangles, frame, options, model);
-  flatten_faces(triangles, frame, model);
+  flatten_faces(triangles, frame, options, model);
   finish_mesh(std::move(triangles), frame, model);
-  report_shape(model, options, bodies);
+  report_shape(model, frame, options, bodies);
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/corner_origin.h"
 #include "mesh/mesh.h"
 #include "mesh/polygon_soup.h"
+#include "repair/repair_steps.h"
 #include "repair/solids.h"
 
 namespace foldwright {
@@ -21,6 +22,9 @@ struct RepairOptions {
   bool drop_inner = false;  ///< leave out bodies that lie inside others
   bool unite = false;       ///< make one surface of closed bodies that run through each other
   SolidUniter uniter = {};  ///< does that; without it nothing is united
+  RepairSteps off = {};     ///< steps that are not done; what they would do is told ("step-off")
+
+  bool does(RepairStep step) const { return !off[static_cast<std::size_t>(step)]; }
 };
 
 /// A mesh that can be unfolded, and what had to be done to the input for it.
@@ -50,6 +54,10 @@ struct RepairedModel {
 /// component of an open surface keeps the winding that the majority of its area has in the file.
 /// The bounding box is centred at the origin. Whatever is done to a face, its corners know their
 /// places in the file. \throw InputError when no usable face is left
+///
+/// Any `StepKind::kSwitch` of `kRepairSteps` may be off, and what comes out is an oriented manifold
+/// all the same: faces that the file winds against each other come apart, for one. What bodies were
+/// united to is wound outwards in any case, and with it all other faces. \pre no other step is off
 RepairedModel repair(const PolygonSoup& soup, const RepairOptions& options = {});
 
 }  // namespace foldwright

@@ -148,7 +148,11 @@ std::string bookkeeping_fault_of(const RepairedModel& model) {
   std::set<std::string> codes;
   int dropped = 0;
   for (const Repair& repair : model.repairs) {
-    if (!codes.insert(repair.code).second) return "reported twice: " + repair.code;
+    // Steps that are off are told one by one.
+    const bool is_off = repair.code == "step-off";
+    const std::string name =
+        repair.code + (is_off ? std::get<std::string>(repair.parameters.at(0).value) : "");
+    if (!codes.insert(name).second) return "reported twice: " + name;
     if (repair.count <= 0) return "reports nothing: " + repair.code;
     const bool drops_faces = repair.code.starts_with("dropped-") && repair.code.ends_with("-faces");
     if (drops_faces || repair.code == "merged-two-sided") {

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "geometry/random.h"
 #include "mesh/dual_graph.h"
 #include "meshes.h"
 #include "model_text.h"
+#include "random_soup.h"
 #include "sound_repair.h"
 
 namespace foldwright::testing {
@@ -174,186 +174,8 @@ void add_sides(std::vector<std::vector<int>>& faces, int n, int floor) {
 TEST(Repair, TakesAPolygonGivenSeveralTimesAsOneHoweverItIsCutIntoTriangles) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    const int n = std::array{5, 6, 8}[seed % 3];
-    const int copies = 2 + static_cast<int>(seed % 2);
-    std::vector<std::vector<int>> faces;
-    add_fan(faces, floor_of_prism(n, 0), 0, true);
-    for (int copy = 0; copy < copies; ++copy) {
-      add_fan(faces, floor_of_prism(n, 1), random.below(n), random.below(2) == 1);
-    }
-    add_sides(faces, n, 0);
-    if (seed % 4 >= 2) {  // in no order at all
-      for (int i = static_cast<int>(faces.size()) - 1; i > 0; --i) {
-        std::swap(faces[i], faces[random.below(i + 1)]);
-      }
-    }
-    const RepairedModel model = sound_repair(soup(prism_corners(n, 2), faces));
-    EXPECT_EQ(model.mesh.component_count, 1);
-    EXPECT_EQ(model.mesh.face_count(), 2 * (n - 2) + 2 * n);
-    EXPECT_EQ(border_edge_count(model.mesh), 0);
-    EXPECT_NEAR(signed_volume(model.mesh), 9 * n * std::sin(2 * std::numbers::pi / n), 1e-9);
-    EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), n + 2);
-    EXPECT_EQ(count_of(model, "dropped-duplicate-faces") + count_of(model, "merged-two-sided"),
-              (copies - 1) * (n - 2));
-  }
-}
-
-TEST(Repair, KeepsAWallBetweenRoomsThatIsCutIntoTrianglesTwoWays) {
-  for (const int n : {4, 5, 8}) {
-    std::vector<std::vector<int>> faces = {floor_of_prism(n, 2)};
-    add_fan(faces, floor_of_prism(n, 0), 0, true);
-    add_fan(faces, floor_of_prism(n, 1), 0, false);
-    add_fan(faces, floor_of_prism(n, 1), 1, true);
-    for (const int floor : {0, 1}) add_sides(faces, n, floor);
-    const RepairedModel model = sound_repair(soup(prism_corners(n, 3), faces));
-    EXPECT_EQ(model.mesh.component_count, 2);
-    EXPECT_EQ(border_edge_count(model.mesh), 0);
-    EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), 2 * (n + 2));
-  }
-}
-
-TEST(Repair, KeepsCrossingSheetsFlat) {
-  // Two kites that cross along a diagonal of both, as quads and as triangles.
-  const std::vector<Vec3> corners = {{0, 0, 0},    {15, 10, 0}, {0, 20, 0},
-                                     {-15, 10, 0}, {0, 10, 15}, {0, 10, -15}};
-  for (const auto& polygons : {std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 4, 2, 5}},
-                               {{0, 1, 2}, {0, 2, 3}, {0, 4, 2}, {0, 2, 5}},
-                               {{0, 1, 2}, {0, 3, 2}, {0, 4, 2}, {0, 5, 2}}}) {
-    const RepairedModel model = sound_repair(soup(corners, polygons));
-    const DualGraph graph = build_dual_graph(model.mesh);
-    EXPECT_EQ(graph.panel_count(), 2);
-    EXPECT_EQ(graph.hinge_count(), 0);
-  }
-}
-
-TEST(Repair, ClosesACrackAndTellsItsWidth) {
-  // The ridges of the tent's two panels lie 0.002 apart, the tent being 60 long.
-  const RepairedModel model = sound_repair(soup({{0, 0, 0},
-                                                 {60, 0, 0},
-                                                 {60, 30, 25},
-                                                 {0, 30, 25},
-                                                 {60, 30, 25.002},
-                                                 {0, 30, 25.002},
-                                                 {60, 0, 50},
-                                                 {0, 0, 50}},
-                                                {{0, 1, 2, 3}, {5, 4, 6, 7}}));
-  EXPECT_EQ(count_of(model, "closed-cracks"), 2);
-  const Repair cracks = repair_named(model.repairs, "closed-cracks");
-  ASSERT_EQ(cracks.parameters.size(), 1u);
-  EXPECT_EQ(cracks.parameters[0].name, "width");
-  EXPECT_NEAR(std::get<double>(cracks.parameters[0].value), 0.002, 1e-9);
-  EXPECT_EQ(model.mesh.component_count, 1);
-  EXPECT_EQ(build_dual_graph(model.mesh).panel_count(), 2);
-}
-
-TEST(Repair, TellsOfBodiesThatRunThroughEachOther) {
-  const RepairedModel model = sound_repair(with(soup_of(cube()), soup_of(cube()), {0.5, 0.3, 0.2}));
-  EXPECT_EQ(count_of(model, "crossing-bodies"), 1);
-  EXPECT_EQ(count_of(sound_repair(with(soup_of(cube()), soup_of(cube()), {1, 0.3, 0})),
-                     "crossing-bodies"),
-            0);
-}
-
-TEST(Repair, ClosesTheCrackThatADegenerateFaceLeaves) {
-  // A tetrahedron whose edge 0-1 has a third vertex 4 on it, bridged by the flat triangle 0 4 1.
-  const RepairedModel model =
-      sound_repair(soup({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0}},
-                        {{0, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 1, 4}}));
-  EXPECT_EQ(count_of(model, "dropped-degenerate-faces"), 1);
-  EXPECT_EQ(count_of(model, "closed-t-junctions"), 1);
-  EXPECT_EQ(border_edge_count(model.mesh), 0);
-  EXPECT_EQ(std::count(model.mesh.source_faces.begin(), model.mesh.source_faces.end(), 0), 2);
-}
-
-TEST(Repair, TurnsFacesOutwards) {
-  PolygonSoup spoilt = soup_of(star());
-  std::swap(spoilt.corners[0], spoilt.corners[1]);
-  EXPECT_EQ(count_of(sound_repair(spoilt), "flipped-faces"), 1);
-  EXPECT_EQ(count_of(sound_repair(inside_out(soup_of(star()))), "flipped-faces"), 60);
-}
-
-TEST(Repair, FollowsTheMajorityOfAnOpenSurface) {
-  const PolygonSoup strip = soup_of(open_strip(3));
-  PolygonSoup spoilt = strip;
-  std::swap(spoilt.corners[0], spoilt.corners[1]);
-  const RepairedModel model = sound_repair(spoilt);
-  EXPECT_EQ(count_of(model, "flipped-faces"), 1);
-  const auto normal_z = [](const Mesh& mesh) {
-    const auto& [a, b, c] = mesh.faces[3];
-    return (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]).z();
-  };
-  EXPECT_GT(normal_z(model.mesh), 0);
-  EXPECT_LT(normal_z(sound_repair(inside_out(spoilt)).mesh), 0);
-}
-
-TEST(Repair, CutsSurfacesWithOneSideOpen) {
-  for (const int quads : {3, 4, 9, 24}) {
-    const RepairedModel model = sound_repair(mobius_strip(quads));
-    EXPECT_EQ(model.mesh.component_count, 1);
-    EXPECT_EQ(model.mesh.face_count(), 2 * quads);
-    EXPECT_GE(count_of(model, "cut-nonorientable"), 1);
-    EXPECT_LE(count_of(model, "cut-nonorientable"), 2);
-  }
-}
-
-TEST(Repair, TakesBodiesApartThatShareAnEdgeOrAVertex) {
-  for (const bool turned : {false, true}) {
-    const PolygonSoup one = turned ? inside_out(soup_of(cube())) : soup_of(cube());
-    const RepairedModel at_edge = sound_repair(with(one, soup_of(cube()), {1, 1, 0}));
-    EXPECT_EQ(at_edge.mesh.component_count, 2);
-    EXPECT_EQ(border_edge_count(at_edge.mesh), 0);
-    EXPECT_EQ(count_of(at_edge, "split-nonmanifold-edges"), 1);
-    const RepairedModel at_vertex = sound_repair(with(one, soup_of(cube()), {1, 1, 1}));
-    EXPECT_EQ(at_vertex.mesh.component_count, 2);
-    EXPECT_EQ(count_of(at_vertex, "split-nonmanifold-vertices"), 1);
-  }
-}
-
-TEST(Repair, KeepsTheWallBetweenTwoRooms) {
-  // Two cubes side by side: their common wall has two sides.
-  const RepairedModel model = sound_repair(with(soup_of(cube()), soup_of(cube()), {1, 0, 0}));
-  EXPECT_EQ(model.mesh.component_count, 2);
-  EXPECT_EQ(model.mesh.face_count(), 24);
-  EXPECT_EQ(border_edge_count(model.mesh), 0);
-}
-
-TEST(Repair, LetsAFinGoFromAClosedBody) {
-  PolygonSoup finned = soup_of(cube());
-  finned.positions.emplace_back(0, 0, 0.2);  // within the cube, on the edge 0-1
-  finned.corners.insert(finned.corners.end(), {0, 1, 8});
-  finned.first_corner.push_back(static_cast<int>(finned.corners.size()));
-  const RepairedModel model = sound_repair(finned);
-  EXPECT_EQ(model.mesh.component_count, 2);
-  EXPECT_EQ(border_edge_count(model.mesh), 3);
-}
-
-TEST(Repair, GivesTheSameTwice) {
-  const RepairedModel first = repair(mobius_strip(12));
-  const RepairedModel second = repair(mobius_strip(12));
-  EXPECT_EQ(first.mesh.positions, second.mesh.positions);
-  EXPECT_EQ(first.mesh.faces, second.mesh.faces);
-}
-
-TEST(Repair, MendsRandomSoups) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    SCOPED_TRACE(seed);
-    Random random(seed);
-    // Few lattice points, so that faces coincide, touch and degenerate in every way.
-    const int side = 2 + random.below(3);
-    std::vector<Vec3> positions;
-    for (int i = 0; i < side * side * side; ++i) {
-      positions.emplace_back(i % side, i / side % side, i / side / side);
-    }
-    std::vector<std::vector<int>> polygons(1 + random.below(60));
-    for (std::vector<int>& polygon : polygons) {
-      const int corners = random.below(4) == 0 ? random.below(9) : 3;
-      for (int i = 0; i < corners; ++i) {
-        polygon.push_back(random.below(static_cast<int>(positions.size())));
-      }
-    }
     try {
-      sound_repair(soup(positions, polygons));
+      sound_repair(random_soup(seed));
     } catch (const InputError& error) {
       EXPECT_TRUE(error.code() == "no-area" || error.code() == "no-faces") << error.what();
     }

@@ -31,6 +31,7 @@ TEST(ModelMemory, ReadsTheSameFilesOnce) {
             memory.read(files, {.up = Up::kZ, .fill_holes = 5}));
   EXPECT_NE(memory.read(files, {}), memory.read(files, {.drop_inner = true}));
   EXPECT_NE(memory.read(files, {}), memory.read(files, {.unite = true}));
+  EXPECT_NE(memory.read(files, {}), memory.read(files, {.off = RepairSteps(1)}));
   EXPECT_NE(memory.read(files_of(obj_of(cube())), {.up = Up::kZ})->mesh.face_count(), 4);
 }
 

@@ -103,7 +103,8 @@ SourceModel read_whole(const std::vector<ModelFile>& files, const ModelOptions& 
   RepairedModel repaired = repair(soup, {.fill_holes = options.fill_holes / 100,
                                          .drop_inner = options.drop_inner,
                                          .unite = options.unite,
-                                         .uniter = uniter});
+                                         .uniter = uniter,
+                                         .off = options.off});
   model.looks = looks_of(soup, repaired);
   model.mesh = std::move(repaired.mesh);
   model.origins = std::move(repaired.origins);
@@ -118,7 +119,7 @@ SourceModel read_whole(const std::vector<ModelFile>& files, const ModelOptions& 
 std::string key_of(const std::vector<ModelFile>& files, const ModelOptions& options) {
   std::string key = std::to_string(static_cast<int>(options.up)) + ' ' +
                     std::to_string(options.fill_holes) + ' ' + std::to_string(options.drop_inner) +
-                    ' ' + std::to_string(options.unite);
+                    ' ' + std::to_string(options.unite) + ' ' + options.off.to_string();
   for (const ModelFile& file : files) {
     const auto* bytes = reinterpret_cast<const char*>(file.bytes.data());
     key += '\n' + file.name + '\n' + std::to_string(file.bytes.size()) + ' ' +

@@ -95,6 +95,10 @@ void check_options(const JobOptions& options) {
   // No hole is wider than the diagonal of the model's box, at most 173 % of its longest side.
   check(options.model.fill_holes >= 0 && options.model.fill_holes <= 200, "fill-holes",
         {{"least", 0}, {"most", 200}});
+  for (std::size_t i = 0; i < kRepairSteps.size(); ++i) {
+    const bool can_be_off = kRepairSteps[i].kind == StepKind::kSwitch;
+    check(can_be_off || !options.model.off[i], "repair", {{"step", kRepairSteps[i].name}});
+  }
   check(options.paper.min_piece >= 0 && options.paper.min_piece <= 1000, "min-piece",
         {{"least", 0}, {"most", 1000}});
   check_size(options.paper.size);

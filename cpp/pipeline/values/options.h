@@ -6,6 +6,7 @@
 #include "paper/labels.h"
 #include "paper/sheets.h"
 #include "pipeline/values/piece_names.h"
+#include "repair/repair_steps.h"
 #include "segment/segment.h"
 #include "unfold/heuristics.h"
 
@@ -65,6 +66,7 @@ struct ModelOptions {
   double fill_holes = 0;
   bool drop_inner = false;  ///< leave out bodies that lie inside others
   bool unite = false;       ///< make one surface of closed bodies that run through each other
+  RepairSteps off = {};     ///< steps of the repair that are not done
 };
 
 /// What decides the parts of a model.
