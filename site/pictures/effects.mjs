@@ -44,6 +44,7 @@ export const effects = {
     'It counts for models of more faces than N, and changes where borders of parts run by a little.',
   seed: shows('heart', [1, 2]),
   faces: shows('rabbit', [160, 80], 'sheet'),
+  repair: 'It leaves faults of a file as they are; what is drawn here has none.',
   'fill-holes': shows('open box', ['off', 'all']),
   inside: shows('nested', ['keep', 'drop']),
   crossing: shows('crossed', ['keep', 'unite']),

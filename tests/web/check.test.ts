@@ -36,7 +36,7 @@ function lookAt(
 
 /** A number of triangles of a model that is not mended. */
 function aspect(faces: Aspect['faces']): Aspect {
-  return { faces, up: 'guess', fillHoles: 'off', inside: 'keep', crossing: 'keep' };
+  return { faces, up: 'guess', repair: 'on', fillHoles: 'off', inside: 'keep', crossing: 'keep' };
 }
 
 /** Answers when the test lets it, unless it is aborted. */
@@ -289,11 +289,11 @@ describe('words', () => {
   it('part what was repaired from what was not', () => {
     const repairs: Message[] = [
       { code: 'welded-vertices', params: { count: 2 } },
-      { code: 'open-border', params: { count: 4, gap: 0.01 } },
+      { code: 'open-border', params: { count: 4, gap: 0.01, bodies: 1 } },
       { code: 'inner-bodies', params: { count: 4 } }, // told beside its switch
     ];
     const { repaired, remaining } = repairWords(english, repairs);
-    expect(repaired).toEqual([expect.stringMatching(/^2 vertices .*\.$/)]);
+    expect(repaired).toEqual([{ step: 'weld', words: expect.stringMatching(/^2 vertices .*\.$/) }]);
     expect(remaining).toEqual([expect.stringMatching(/^4 edges lie on the border/)]);
   });
 

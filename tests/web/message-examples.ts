@@ -335,8 +335,8 @@ export const examples: readonly [KnownMessage, string][] = [
     '2 vertices where surfaces only touch came apart',
   ],
   [
-    { code: 'open-border', params: { count: 1, gap: 0.001 } },
-    "1 edge lies on the border of an open surface; gaps wider than 0.001 of the model's size, or wide against the edges beside them, are left open",
+    { code: 'open-border', params: { count: 1, gap: 0.001, bodies: 1 } },
+    "1 edge lies on the border of 1 open surface without a volume, printed as one layer of paper whose plain back can be seen; gaps wider than 0.001 of the model's size, or wide against the edges beside them, are left open",
   ],
   [
     { code: 'open-holes', params: { count: 1, percent: 12.5, small: 0, small_percent: 10 } },
@@ -345,6 +345,42 @@ export const examples: readonly [KnownMessage, string][] = [
   [
     { code: 'open-holes', params: { count: 3, percent: 141.5, small: 2, small_percent: 10 } },
     "3 holes are left open, the widest 141.5 % of the model's longest side across (--fill-holes all fills them, --fill-holes 10 the 2 small ones alone)",
+  ],
+  [
+    { code: 'step-off', params: { count: 2, what: 'weld' } },
+    'welding was switched off: 2 vertices lie on others and stay apart from them',
+  ],
+  [
+    { code: 'step-off', params: { count: 1, what: 'duplicates' } },
+    'dropping copies was switched off: 1 face repeats another one and is printed as well',
+  ],
+  [
+    { code: 'step-off', params: { count: 3, what: 'two-sided' } },
+    'joining two sides was switched off: 3 faces lie on the backs of others and are printed as well',
+  ],
+  [
+    { code: 'step-off', params: { count: 1, what: 't-junctions' } },
+    'closing gaps at corners was switched off: 1 edge with a corner of the neighbours on it stays open',
+  ],
+  [
+    { code: 'step-off', params: { count: 4, what: 'cracks' } },
+    'closing cracks was switched off: 4 edges beside cracks stay open',
+  ],
+  [
+    { code: 'step-off', params: { count: 1, what: 'winding' } },
+    'turning faces over was switched off: 1 face has its printed side inside, and comes apart from neighbours that have it outside',
+  ],
+  [
+    { code: 'step-off', params: { count: 6, what: 'flatten' } },
+    'flattening was switched off: 6 faces that were drawn flat stay slightly bent',
+  ],
+  [
+    { code: 'flat-bodies', params: { count: 1 } },
+    '1 closed body has no volume, since its layers lie on each other: each layer is printed, to be glued back to back into one sheet',
+  ],
+  [
+    { code: 'bad-option', params: { what: 'repair', step: 'polygons' } },
+    "'polygons' is a step of the repair that cannot be switched off",
   ],
   [
     { code: 'filled-holes', params: { count: 2 } },

@@ -225,6 +225,7 @@ describe('a look at the model', () => {
   const whole = {
     faces: 'off',
     up: 'guess',
+    repair: 'on',
     fillHoles: 'off',
     inside: 'keep',
     crossing: 'keep',

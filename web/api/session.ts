@@ -143,7 +143,7 @@ export class Session {
    * Rejects as `run` does. Cost: about a second for 70,000 faces, mostly for reading and repairing.
    */
   inspect(
-    options: Pick<Options, 'faces' | 'up' | 'fillHoles' | 'inside' | 'crossing'> = {},
+    options: Pick<Options, 'faces' | 'up' | 'repair' | 'fillHoles' | 'inside' | 'crossing'> = {},
     { signal }: Pick<WorkOptions, 'signal'> = {},
   ): Promise<Inspection> {
     return this.inTurn(async () => {

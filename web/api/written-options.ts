@@ -3,18 +3,24 @@ import { BadValue } from '../model/option-values.js';
 import { printOptions, rows, sizings, type Row, type Settings } from '../model/options.js';
 import type { PaperSize } from '../model/paper.js';
 import type { PrintOptions } from '../model/print-options.js';
+import type { RepairStep } from '../model/repair-steps.js';
 import { BadOption } from '../words/bad-option.js';
 
 type CamelCase<Name extends string> = Name extends `${infer Head}-${infer Tail}`
   ? `${Head}${Capitalize<CamelCase<Tail>>}`
   : Name;
 
-/** Switches may be true or false; lists and papers are as the command line has them: '1,0.5', 'A4' or '210x297'. */
+/** Steps of the repair that are switched off, or on again. */
+export type RepairSwitches = Partial<Record<RepairStep, 'on' | 'off' | boolean>>;
+
+/** Switches may be true or false, and those of the repair an object; lists and papers are as the command line has them: '1,0.5', 'A4' or '210x297'. */
 type Written<Value> = [Value] extends ['on' | 'off']
   ? Value | boolean
-  : Value extends PaperSize | readonly unknown[]
-    ? string
-    : Value;
+  : [Value] extends [readonly RepairStep[]]
+    ? RepairSwitches | string
+    : Value extends PaperSize | readonly unknown[]
+      ? string
+      : Value;
 
 type OptionName = Exclude<keyof Settings, 'workers'>;
 
@@ -75,7 +81,10 @@ export function nameOf(key: string): string {
 /** A value as the command line has it. */
 function writtenOf(value: unknown): string {
   if (typeof value === 'boolean') return value ? 'on' : 'off';
-  return Array.isArray(value) ? value.join(',') : String(value);
+  if (Array.isArray(value)) return value.join(',');
+  if (typeof value !== 'object' || value === null) return String(value);
+  const given = Object.entries(value).filter(([, own]) => own !== undefined);
+  return given.map(([name, own]) => `${name}=${writtenOf(own)}`).join(',') || 'on';
 }
 
 function parsed(name: string, value: unknown): unknown {
@@ -85,7 +94,7 @@ function parsed(name: string, value: unknown): unknown {
     return row.parse(writtenOf(value));
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
-    throw new BadOption({ what: 'value', option: name, value: String(value), ...error.fault });
+    throw new BadOption({ what: 'value', option: name, value: writtenOf(value), ...error.fault });
   }
 }
 

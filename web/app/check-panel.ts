@@ -7,6 +7,7 @@ import type { FacesField } from './faces-field.js';
 import { MendCheck } from './mend-check.js';
 import { NetsCheck } from './nets-check.js';
 import { Panel } from './panel.js';
+import { RepairList } from './repair-list.js';
 import type { StudioPlace } from './place.js';
 import type { OptionsForm } from './options-form.js';
 import { SizeCheck } from './size-check.js';
@@ -38,16 +39,17 @@ export class CheckPanel extends Panel {
   private readonly look = this.find('#check-look', HTMLElement);
   private readonly bound = this.find('#check-bound', HTMLElement);
   private readonly bodies = this.find('#check-bodies', HTMLElement);
-  private readonly repaired = this.find('#check-repaired', HTMLElement);
   private readonly remaining = this.find('#check-remaining', HTMLElement);
   private readonly back = this.find('#check-back', HTMLButtonElement);
   private readonly triangles = this.find('#check-triangles', HTMLElement);
   private readonly size: SizeCheck;
   private readonly nets: NetsCheck;
   private readonly mending: MendCheck;
+  private readonly fields: OptionsForm['mending'];
   private readonly faces: FacesField;
+  private readonly repaired: RepairList;
   /** What is in the lists. */
-  private listed: Check['repairs'] | null = null;
+  private listed: readonly unknown[] = [];
 
   constructor(
     place: StudioPlace,
@@ -58,6 +60,8 @@ export class CheckPanel extends Panel {
     this.faces = faces;
     this.size = new SizeCheck(place, size);
     this.mending = new MendCheck(place, mending);
+    this.repaired = new RepairList(place, mending);
+    this.fields = mending;
     this.nets = new NetsCheck(place, onNets);
     this.slider.addEventListener('input', () => this.faces.set(this.slider.valueAsNumber));
     this.levels.addEventListener('click', ({ target }) => {
@@ -112,12 +116,15 @@ export class CheckPanel extends Panel {
 
   /** Shows what the model is made of, what was repaired and what was not. */
   private list({ repairs, bodies, tinyBodies }: Check): void {
-    if (repairs === this.listed) return;
-    this.listed = repairs;
+    const off = this.fields.value.repair;
+    const listed = [repairs, ...off];
+    if (listed.length === this.listed.length && listed.every((one, i) => one === this.listed[i]))
+      return;
+    this.listed = listed;
     this.bodies.textContent = bodyWords(this.told, bodies, tinyBodies);
     this.bodies.hidden = this.bodies.textContent === '';
-    const { repaired, remaining } = repairWords(this.told, repairs);
-    fillList(this.repaired, repaired);
+    const { repaired, remaining } = repairWords(this.told, repairs, off);
+    this.repaired.update(repaired);
     fillList(this.remaining, remaining);
   }
 

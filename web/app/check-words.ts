@@ -2,6 +2,7 @@
 import type { Settings } from '../model/options.js';
 import { usualFaces } from '../model/face-numbers.js';
 import type { Message } from '../model/message.js';
+import { repairCodes, stepOff, switchableSteps, type RepairStep } from '../model/repair-steps.js';
 import { phraseOf } from '../words/phrase.js';
 import type { Words } from '../words/words.js';
 import { sentence } from './sentence.js';
@@ -12,6 +13,7 @@ const unmended: readonly string[] = ['crossing-bodies', 'self-crossing-bodies'];
 /** What stays as it is, and may well be meant. */
 const left: readonly string[] = [
   'open-border',
+  'flat-bodies',
   'huge-holes',
   'unfilled-holes',
   'crossings-unchecked',
@@ -25,22 +27,41 @@ export function isUnmended({ code }: Message): boolean {
   return unmended.includes(code);
 }
 
-/** Sentences about what was repaired, and about what was not. */
+/** What was done to a model, or would have been. */
+export interface RepairRow {
+  /** Null for what cannot be switched off. */
+  step: RepairStep | null;
+  /** Empty where nothing is known of a step that is off. */
+  words: string;
+}
+
+/** The step that a message is about, if it can be switched off. */
+function stepOf({ code, params }: Message): RepairStep | null {
+  const isOf = (step: RepairStep): boolean =>
+    code === stepOff ? params['what'] === step : code === repairCodes[step];
+  return switchableSteps.find(isOf) ?? null;
+}
+
+/** What was repaired, with all steps that are off, and sentences about what was not. */
 export function repairWords(
   words: Words,
   repairs: readonly Message[],
+  off: readonly RepairStep[] = [],
 ): {
-  repaired: string[];
+  repaired: RepairRow[];
   remaining: string[];
 } {
   const remains = ({ code }: Message): boolean => unmended.includes(code) || left.includes(code);
   const isSwitched = ({ code, params }: Message): boolean =>
     switched.includes(code) || Number(params['unitable']) > 0;
-  const told = (messages: Message[]): string[] =>
-    messages.map((message) => sentence(phraseOf(words, message)));
+  const told = (message: Message): string => sentence(phraseOf(words, message));
+  const listed = repairs.filter((repair) => !isSwitched(repair));
+  const repaired = listed.filter((repair) => !remains(repair));
+  const rows = repaired.map((repair) => ({ step: stepOf(repair), words: told(repair) }));
+  const untold = off.filter((step) => !rows.some((row) => row.step === step));
   return {
-    repaired: told(repairs.filter((repair) => !remains(repair) && !isSwitched(repair))),
-    remaining: told(repairs.filter((repair) => remains(repair) && !isSwitched(repair))),
+    repaired: [...rows, ...untold.map((step) => ({ step, words: '' }))],
+    remaining: listed.filter(remains).map(told),
   };
 }
 

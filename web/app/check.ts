@@ -25,10 +25,10 @@ export const tooManyFaces = 'too-many-faces';
 const mostOutlined = 2 * usualFaces;
 
 /** A model is first looked at as it is: what can be mended of it is then known. */
-const unmended = { fillHoles: 'off', inside: 'keep', crossing: 'keep' } as const;
+const unmended = { repair: 'on', fillHoles: 'off', inside: 'keep', crossing: 'keep' } as const;
 
-const keyOf = ({ faces, up, fillHoles, inside, crossing }: Aspect): string =>
-  `${faces} ${up} ${fillHoles} ${inside} ${crossing}`;
+const keyOf = ({ faces, up, repair, fillHoles, inside, crossing }: Aspect): string =>
+  `${faces} ${up} ${repair} ${fillHoles} ${inside} ${crossing}`;
 
 /** Holes that can be filled, how many of them are small, and what that means: in percent of the model's length. */
 export interface FillableHoles {

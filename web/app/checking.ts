@@ -1,4 +1,5 @@
 import type { Settings } from '../model/options.js';
+import { writtenRepair } from '../model/repair-steps.js';
 import type { Inspection } from '../api/inspect.js';
 import type { Check } from './check.js';
 import { CheckPanel } from './check-panel.js';
@@ -107,8 +108,9 @@ export class Checking extends Panel {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       const { faces, mending, size } = this.form;
-      const { 'fill-holes': fillHoles, inside, crossing } = mending.value;
-      const aspect = { faces: faces.value, up: size.upwards, fillHoles, inside, crossing };
+      const { repair, 'fill-holes': fillHoles, ...bodies } = mending.value;
+      const mended = { repair: writtenRepair(repair), fillHoles, ...bodies };
+      const aspect = { faces: faces.value, up: size.upwards, ...mended };
       void this.store.preview(aspect);
     }, rest);
   }

@@ -15,6 +15,7 @@ export type Method = Pick<
   | 'heuristic'
   | 'runs'
   | 'faces'
+  | 'repair'
   | 'fill-holes'
   | 'inside'
   | 'crossing'

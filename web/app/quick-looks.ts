@@ -12,6 +12,8 @@ export type Wishes = Pick<Settings, 'faces' | 'up'>;
 
 /** What decides how it looks then. */
 export interface Aspect extends Wishes {
+  /** As a person writes it. */
+  repair: string;
   fillHoles: Settings['fill-holes'];
   inside: Settings['inside'];
   crossing: Settings['crossing'];
@@ -45,9 +47,10 @@ interface Copy extends Making {
 }
 
 function madeAlike(one: Making, other: Making): boolean {
-  const { up, fillHoles, inside, crossing } = one;
+  const { up, repair, fillHoles, inside, crossing } = one;
   return (
     up === other.up &&
+    repair === other.repair &&
     fillHoles === other.fillHoles &&
     inside === other.inside &&
     crossing === other.crossing

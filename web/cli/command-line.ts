@@ -58,12 +58,22 @@ function collect(text: string, texts: string[] = []): string[] {
   return [...texts, text];
 }
 
+/** How a row reads what is written for it, once or, where it may be, several times. */
+function readerOf(name: string, row: Row<unknown>): (text: string) => unknown {
+  const texts: string[] = [];
+  return (text) => {
+    const value = parsed(name, row.parse, text);
+    texts.push(text);
+    return row.repeats ? row.parse(texts.join(',')) : value;
+  };
+}
+
 function addRows(program: Command, { optionHelp }: Words): void {
   for (const [name, row] of Object.entries<Row<unknown>>(rows)) {
     const help = optionHelp[name as keyof Settings];
     const option = new Option(`--${name} <${row.value}>`, help)
       .default(row.parse(row.fallback), row.fallback)
-      .argParser((text) => parsed(name, row.parse, text));
+      .argParser(readerOf(name, row));
     program.addOption(option);
   }
 }

@@ -17,6 +17,7 @@ export const defaultOptions: Readonly<JobOptions> = {
   seed: 1,
   faces: 0,
   up: 'guess',
+  repairOff: [],
   fillHoles: 0,
   dropInner: false,
   unite: false,

@@ -1,4 +1,6 @@
 /** What goes into a job, as plain data. Lengths are millimetres unless a name says otherwise. */
+import type { RepairStep } from './repair-steps.js';
+
 export type Heuristic = 'steepest' | 'flat' | 'hybrid' | 'random';
 export type Segmenter = 'merge' | 'spectral';
 export type Solver = 'tree' | 'genetic';
@@ -76,6 +78,8 @@ export interface JobOptions {
   faces: number;
   /** 'guess': from the file's format. */
   up: Up;
+  /** Steps of the repair that are not done; what they would do is told. */
+  repairOff: readonly RepairStep[];
   /** Fill holes up to so many percent of the model's longest side across; 0: none. */
   fillHoles: number;
   /** Leave out bodies that lie inside others. */

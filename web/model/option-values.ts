@@ -1,4 +1,12 @@
 /** Parsers for the values of options. A parser throws `BadValue` with what it would have taken. */
+import {
+  repairSteps,
+  requests,
+  switchableSteps,
+  type NeededStep,
+  type RepairStep,
+  type RequestedStep,
+} from './repair-steps.js';
 import { leastSide, mostSide, paperCalled, type PaperSize } from './paper.js';
 
 export type Parser<Value> = (text: string) => Value;
@@ -8,6 +16,9 @@ export type ValueFault = (
   | { expected: 'whole' | 'decimal' | 'dashes' | 'paper'; least: number; most: number }
   | { expected: 'words'; words: readonly string[] }
   | { expected: 'colour' | 'pair' }
+  | { expected: 'switches'; steps: readonly RepairStep[] }
+  | { expected: 'other-step'; step: NeededStep }
+  | { expected: 'other-step'; step: RequestedStep; request: string }
 ) & { or?: string; part?: string };
 
 /** A value that is not what it should be. */
@@ -84,6 +95,43 @@ export function dashes(text: string): number[] {
   const lengths = text.split(',');
   if (lengths.length % 2 === 0) return lengths.map(dashLength);
   throw new BadValue({ expected: 'dashes', ...dashLengths });
+}
+
+/** Splits 'weld=off'. @throws BadValue for what is no switch of a step */
+function stepSwitch(text: string): { step: RepairStep; isOff: boolean } {
+  const [name = '', value = '', ...more] = text.split('=');
+  const isSwitch = (value === 'on' || value === 'off') && more.length === 0;
+  if (!isSwitch || !Object.hasOwn(repairSteps, name)) {
+    throw new BadValue({ expected: 'switches', steps: switchableSteps });
+  }
+  const step = name as keyof typeof repairSteps;
+  switch (step) {
+    case 'polygons':
+    case 'degenerate':
+    case 'non-manifold':
+      throw new BadValue({ expected: 'other-step', step });
+    case 'holes':
+    case 'crossing':
+    case 'inside':
+      throw new BadValue({ expected: 'other-step', step, request: requests[step] });
+    default:
+      return { step, isOff: value === 'off' };
+  }
+}
+
+/** The steps that a list such as 'weld=off,cracks=off' switches off, in their own order; none for 'on'. */
+export function repairsOff(text: string): RepairStep[] {
+  const off = new Set<RepairStep>();
+  for (const word of text.split(',')) {
+    if (word === 'on') {
+      off.clear();
+      continue;
+    }
+    const { step, isOff } = stepSwitch(word);
+    if (isOff) off.add(step);
+    else off.delete(step);
+  }
+  return switchableSteps.filter((step) => off.has(step));
 }
 
 /** A named paper, or width x height in mm; comes back portrait. */

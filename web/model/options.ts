@@ -17,10 +17,12 @@ import {
   decimal,
   paper,
   pair,
+  repairsOff,
   whole,
   wordOr,
   type Parser,
 } from './option-values.js';
+import { writtenRepair } from './repair-steps.js';
 
 /** An option with a value; what help says of it is in `web/words`. */
 export interface Row<Value> {
@@ -29,6 +31,8 @@ export interface Row<Value> {
   /** As a person would write it. */
   fallback: string;
   parse: Parser<Value>;
+  /** Whether it may be given several times: the values then count together, as one list with commas. */
+  repeats?: true;
 }
 
 function row<const Value>(
@@ -66,6 +70,7 @@ export const rows = {
   proxy: row('N', defaultOptions.proxy, whole(0, manyFaces)),
   seed: row('N', defaultOptions.seed, whole(0, 2 ** 32 - 1)),
   faces: row('N|off', 'off', wordOr('off', whole(4, manyFaces))),
+  repair: { ...row('STEP=on|off,..', 'on', repairsOff), repeats: true },
   'fill-holes': row(
     'PERCENT|all|off',
     'off',
@@ -139,7 +144,7 @@ export type Settings = {
 
 /** The settings as a person would write them, by the names of the options. */
 export function echo(settings: Settings): Record<string, unknown> {
-  return { ...settings, paper: settings.paper.name };
+  return { ...settings, paper: settings.paper.name, repair: writtenRepair(settings.repair) };
 }
 
 /** The options of which at most one may be given. */
@@ -232,6 +237,7 @@ export function jobOptions(settings: Settings): JobOptions {
     seed,
     faces: faces === 'off' ? 0 : faces,
     up: settings.up,
+    repairOff: settings.repair,
     fillHoles: fillOption(settings['fill-holes']),
     dropInner: settings.inside === 'drop',
     unite: settings.crossing === 'unite',

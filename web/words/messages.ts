@@ -6,6 +6,7 @@
 import type { FileExcess } from '../model/model-files.js';
 import type { ValueFault } from '../model/option-values.js';
 import type { PixelExcess } from '../model/pixels.js';
+import type { RepairStep } from '../model/repair-steps.js';
 
 type None = Record<never, never>;
 type Counted = { count: number };
@@ -79,6 +80,7 @@ export interface EngineMessages {
   'dropped-placeless-faces': Counted & At;
   'dropped-unused-vertices': Counted;
   'filled-holes': Counted;
+  'flat-bodies': Counted;
   'flattened-faces': Counted & { distance: number };
   'flipped-faces': Counted;
   'halved-edges': Counted;
@@ -90,13 +92,16 @@ export interface EngineMessages {
   'missing-endsolid': Counted;
   /** And how many of them are open. */
   'not-united': Counted & { open: number };
-  'open-border': (Counted & { gap: number; what?: never }) | { what: 'edge' };
+  /** And on the borders of how many bodies. */
+  'open-border': (Counted & { gap: number; bodies: number; what?: never }) | { what: 'edge' };
   /** How wide the widest is, how many are small, and what that means: in percent of the model's longest side. */
   'open-holes': Counted & { percent: number; small: number; small_percent: number };
   'other-format': { ending: string; format: string };
   'self-crossing-bodies': Counted;
   'split-nonmanifold-edges': Counted;
   'split-nonmanifold-vertices': Counted;
+  /** Of a step that is switched off: to how many things it would have been done. */
+  'step-off': Counted & { what: RepairStep };
   'trailing-bytes': Counted;
   'trailing-lines': Counted;
   'triangulated-polygons': Counted;
@@ -119,6 +124,7 @@ export interface EngineMessages {
     | Bounded<
         'sheets' | 'flaps' | 'flap-height' | 'flap-angle' | 'runs' | 'clearance' | 'fill-holes'
       >
+    | { what: 'repair'; step: string }
     | { what: 'names-of-part' | 'pin-piece' | 'pin-place' }
     | { what: 'name-control' | 'name-colon' | 'name-length' | 'name-number' }
     | { what: 'same-name'; name: string }

@@ -227,7 +227,7 @@ function openBorder(params: Messages['open-border']): string {
   }
   const edges = `${count(params.count, 'Kante', 'Kanten')} ${choose(params.count, 'liegt', 'liegen')}`;
   return (
-    `${edges} am Rand einer offenen Oberfläche; Lücken, die breiter sind als ${rounded(params.gap)} der Größe des Modells ` +
+    `${edges} am Rand von ${count(params.bodies, 'offenen Oberfläche', 'offenen Oberflächen')} ohne Volumen, gedruckt als eine Lage Papier, deren leerer Rücken zu sehen ist; Lücken, die breiter sind als ${rounded(params.gap)} der Größe des Modells ` +
     'oder breit gegen die Kanten daneben, bleiben offen'
   );
 }

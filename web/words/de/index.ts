@@ -13,6 +13,7 @@ import { messages } from './messages.js';
 import { speech } from './numbers.js';
 import { optionFault, optionHelp } from './options.js';
 import { page, site } from './page.js';
+import { repairSteps } from './repair.js';
 import { replacing } from './replacing.js';
 import { pictures, result, run } from './run.js';
 import { samples } from './samples.js';
@@ -39,6 +40,7 @@ export const words: Words = {
   choice,
   check,
   exhibit,
+  repairSteps,
   replacing,
   form,
   printing,

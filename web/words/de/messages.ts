@@ -6,6 +6,7 @@ import { optionFault } from './options.js';
 import { paperMessages } from './paper.js';
 import { projectMessages } from './projects.js';
 import { readerMessages } from './readers.js';
+import { repairMessages } from './repair.js';
 
 const simplify = 'vereinfache das Modell auf weniger Flächen';
 
@@ -79,6 +80,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'clearance':
     case 'fill-holes':
       return `${params.what} muss von ${figure(params.least)} bis ${figure(params.most)} sein`;
+    case 'repair':
+      return `'${params.step}' ist ein Schritt der Reparatur, der sich nicht abschalten lässt`;
     case 'names-of-part':
       return 'jeder Abschnitt kann höchstens einen Namen haben';
     case 'pin-piece':
@@ -169,6 +172,7 @@ const mine = { height: 'Höhe', width: 'Breite', depth: 'Tiefe' } as const;
 
 export const messages: Table = {
   ...fileMessages,
+  ...repairMessages,
   ...paperMessages,
   ...projectMessages,
   ...readerMessages,

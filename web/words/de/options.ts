@@ -4,6 +4,7 @@ import { paperSizes } from '../../model/paper.js';
 import type { OptionFault } from '../messages.js';
 import type { Words } from '../words.js';
 import { figure } from './numbers.js';
+import { stepFault } from './repair.js';
 
 function expectation(fault: ValueFault): string {
   switch (fault.expected) {
@@ -22,6 +23,9 @@ function expectation(fault: ValueFault): string {
         'ist weder solid noch eine Folge von Strichen und Lücken, von ' +
         `${figure(fault.least)} bis ${figure(fault.most)}`
       );
+    case 'switches':
+    case 'other-step':
+      return stepFault(fault);
     case 'paper': {
       const names = paperSizes.map(({ name }) => name).join(', ');
       return `ist weder ${names} noch BxH mit je ${figure(fault.least)} bis ${figure(fault.most)} mm`;
@@ -65,6 +69,8 @@ export const optionHelp: Words['optionHelp'] = {
   proxy: 'über N Flächen an einer einfacheren Kopie lernen; 0: nie',
   seed: 'dieselbe Startzahl gibt dasselbe Ergebnis',
   faces: 'zuerst auf N Dreiecke vereinfachen',
+  repair:
+    'welche Schritte der Reparatur getan werden, etwa weld=off oder cracks=off; mehrmals möglich',
   'fill-holes':
     'Löcher füllen, die höchstens so viele Prozent der längsten Seite des Modells breit sind; all: alle',
   inside: 'Körper, die in anderen liegen: keep: behalten; drop: weglassen',

@@ -235,6 +235,7 @@ export const page: Words['page'] = {
     nets: 'Netze',
     netsNew: 'neue Netze machen',
     netsFile: 'die der Datei behalten',
+    steps: 'Modell reparieren',
     holes: 'Löcher',
     holesOpen: 'offen lassen',
     holesSmall: 'die kleinen schließen',

@@ -222,7 +222,7 @@ function openBorder(params: Messages['open-border']): string {
   if (params.what === 'edge') return 'only one face has this edge: there is nothing to join there';
   const edges = `${count(params.count, 'edge')} ${choose(params.count, 'lies', 'lie')}`;
   return (
-    `${edges} on the border of an open surface; gaps wider than ${rounded(params.gap)} of the model's size, ` +
+    `${edges} on the border of ${count(params.bodies, 'open surface')} without a volume, printed as one layer of paper whose plain back can be seen; gaps wider than ${rounded(params.gap)} of the model's size, ` +
     'or wide against the edges beside them, are left open'
   );
 }

@@ -4,6 +4,7 @@ import { optionFault } from './options.js';
 import { paperMessages } from './paper.js';
 import { projectMessages } from './projects.js';
 import { readerMessages } from './readers.js';
+import { repairMessages } from './repair.js';
 import type { Messages, Table } from '../messages.js';
 import { all, choose, count, figure, fixed, parts, pieces, some } from './numbers.js';
 
@@ -69,6 +70,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'clearance':
     case 'fill-holes':
       return `${params.what} must be from ${figure(params.least)} to ${figure(params.most)}`;
+    case 'repair':
+      return `'${params.step}' is a step of the repair that cannot be switched off`;
     case 'names-of-part':
       return 'the names of parts must be at most one for each part';
     case 'pin-piece':
@@ -167,6 +170,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const messages: Table = {
   ...fileMessages,
+  ...repairMessages,
   ...paperMessages,
   ...projectMessages,
   ...readerMessages,

@@ -11,6 +11,8 @@ export const optionHelp: Record<keyof Settings, string> = {
   proxy: 'learn on a proxy above N faces; 0: never',
   seed: 'the same seed gives the same result',
   faces: 'simplify to N triangles first',
+  repair:
+    'steps of the repair that are done or not, as weld=off or cracks=off; may be given several times',
   'fill-holes':
     'fill holes that are at most so many percent of the model’s longest side across; all: every hole',
   inside: 'bodies that lie inside others: keep; drop: leave them out',

@@ -234,6 +234,7 @@ export const page = {
     nets: 'Nets',
     netsNew: 'make new nets',
     netsFile: 'keep the file’s own',
+    steps: 'Repair the model',
     holes: 'Holes',
     holesOpen: 'leave open',
     holesSmall: 'close the small ones',

@@ -234,7 +234,7 @@ function openBorder(params: Messages['open-border']): string {
     return 'solo una cara tiene esta arista: ahí no hay nada que unir';
   }
   return (
-    `${count(params.count, 'arista está', 'aristas están')} en el borde de una superficie abierta; los huecos de más de ` +
+    `${count(params.count, 'arista está', 'aristas están')} en el borde de ${count(params.bodies, 'superficie abierta', 'superficies abiertas')} sin volumen, que se imprimen como una capa de papel con el dorso en blanco a la vista; los huecos de más de ` +
     `${rounded(params.gap)} del tamaño del modelo, o anchos para las aristas de al lado, se quedan abiertos`
   );
 }

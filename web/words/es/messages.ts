@@ -6,6 +6,7 @@ import { optionFault } from './options.js';
 import { paperMessages } from './paper.js';
 import { projectMessages } from './projects.js';
 import { readerMessages } from './readers.js';
+import { repairMessages } from './repair.js';
 
 const simplify = 'simplifica el modelo a menos caras';
 
@@ -74,6 +75,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'clearance':
     case 'fill-holes':
       return `${params.what} debe ser de ${figure(params.least)} a ${figure(params.most)}`;
+    case 'repair':
+      return `'${params.step}' es un paso de la reparación que no se puede desactivar`;
     case 'names-of-part':
       return 'cada parte puede tener un nombre como mucho';
     case 'pin-piece':
@@ -162,6 +165,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const messages: Table = {
   ...fileMessages,
+  ...repairMessages,
   ...paperMessages,
   ...projectMessages,
   ...readerMessages,

@@ -12,6 +12,8 @@ export const optionHelp: Words['optionHelp'] = {
   proxy: 'aprender con una copia más sencilla a partir de N caras; 0: nunca',
   seed: 'la misma semilla da el mismo resultado',
   faces: 'simplificar primero a N triángulos',
+  repair:
+    'pasos de la reparación que se hacen o no, como weld=off o cracks=off; se puede dar varias veces',
   'fill-holes':
     'rellenar los agujeros que miden como mucho ese porcentaje del lado más largo del modelo; all: todos',
   inside: 'los cuerpos que están dentro de otros: keep: conservarlos; drop: dejarlos fuera',

@@ -3,6 +3,7 @@ import type { ValueFault } from '../../model/option-values.js';
 import { paperSizes } from '../../model/paper.js';
 import type { OptionFault } from '../messages.js';
 import { figure } from './numbers.js';
+import { stepFault } from './repair.js';
 
 function expectation(fault: ValueFault): string {
   switch (fault.expected) {
@@ -21,6 +22,9 @@ function expectation(fault: ValueFault): string {
         'no es ni solid ni una lista de largos de trazos y huecos por turno, de ' +
         `${figure(fault.least)} a ${figure(fault.most)}`
       );
+    case 'switches':
+    case 'other-step':
+      return stepFault(fault);
     case 'paper': {
       const names = paperSizes.map(({ name }) => name).join(', ');
       return `no es ni ${names} ni WxH con ${figure(fault.least)} a ${figure(fault.most)} mm cada uno`;

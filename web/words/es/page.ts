@@ -235,6 +235,7 @@ export const page: Words['page'] = {
     nets: 'Plantillas',
     netsNew: 'hacer otras nuevas',
     netsFile: 'usar las del archivo',
+    steps: 'Reparar el modelo',
     holes: 'Agujeros',
     holesOpen: 'dejar abiertos',
     holesSmall: 'cerrar los pequeños',

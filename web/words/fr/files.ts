@@ -232,7 +232,7 @@ function openBorder(params: Messages['open-border']): string {
     return 'une seule face a cette arête\u202f: il n’y a rien à joindre là';
   }
   return (
-    `${count(params.count, 'arête est', 'arêtes sont')} au bord d’une surface ouverte\u202f; les fentes plus larges que ${rounded(params.gap)} fois la taille du modèle, ` +
+    `${count(params.count, 'arête est', 'arêtes sont')} au bord de ${count(params.bodies, 'surface ouverte', 'surfaces ouvertes')} sans volume, imprimées comme une couche de papier dont le dos vierge se voit\u202f; les fentes plus larges que ${rounded(params.gap)} fois la taille du modèle, ` +
     'ou larges par rapport aux arêtes voisines, restent ouvertes'
   );
 }

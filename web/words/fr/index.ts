@@ -14,6 +14,7 @@ import { speech } from './numbers.js';
 import { optionHelp } from './option-help.js';
 import { optionFault } from './options.js';
 import { page, site } from './page.js';
+import { repairSteps } from './repair.js';
 import { replacing } from './replacing.js';
 import { pictures, result, run } from './run.js';
 import { samples } from './samples.js';
@@ -40,6 +41,7 @@ export const words: Words = {
   choice,
   check,
   exhibit,
+  repairSteps,
   replacing,
   form,
   printing,

@@ -6,6 +6,7 @@ import { optionFault } from './options.js';
 import { paperMessages } from './paper.js';
 import { projectMessages } from './projects.js';
 import { readerMessages } from './readers.js';
+import { repairMessages } from './repair.js';
 
 const simplify = 'simplifie le modèle à moins de faces';
 
@@ -83,6 +84,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'clearance':
     case 'fill-holes':
       return `${params.what} doit être de ${figure(params.least)} à ${figure(params.most)}`;
+    case 'repair':
+      return `'${params.step}' est une étape de la réparation qui ne peut pas être désactivée`;
     case 'names-of-part':
       return 'chaque partie peut avoir un nom au maximum';
     case 'pin-piece':
@@ -171,6 +174,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const messages: Table = {
   ...fileMessages,
+  ...repairMessages,
   ...paperMessages,
   ...projectMessages,
   ...readerMessages,

@@ -13,6 +13,8 @@ export const optionHelp: Words['optionHelp'] = {
   proxy: 'apprendre sur une copie plus simple au-dessus de N faces\u202f; 0\u202f: jamais',
   seed: 'la même graine donne le même résultat',
   faces: 'simplifier d’abord à N triangles',
+  repair:
+    'étapes de la réparation à faire ou non, comme weld=off ou cracks=off\u202f; peut être donné plusieurs fois',
   'fill-holes':
     'boucher les trous larges au plus de ce pourcentage du plus long côté du modèle\u202f; all\u202f: tous',
   inside:

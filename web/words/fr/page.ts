@@ -237,6 +237,7 @@ export const page: Words['page'] = {
     nets: 'Patrons',
     netsNew: 'en faire de nouveaux',
     netsFile: 'garder ceux du fichier',
+    steps: 'Réparer le modèle',
     holes: 'Trous',
     holesOpen: 'laisser ouverts',
     holesSmall: 'boucher les petits',

@@ -237,7 +237,7 @@ function openBorder(params: Messages['open-border']): string {
     return 'この辺がある面は1つだけです。ここで貼り合わせるものはありません';
   }
   return (
-    `${figure(params.count)}本の辺が、開いた面のふちにあります。モデルの大きさの${rounded(params.gap)}倍より広いすき間や、` +
+    `${figure(params.count)}本の辺が、${figure(params.bodies)}個の開いた面のふちにあります。開いた面には厚みがなく、紙1枚として印刷するので、白い裏側が見えます。モデルの大きさの${rounded(params.gap)}倍より広いすき間や、` +
     '隣の辺に比べて広いすき間は、開いたままにします'
   );
 }

@@ -4,6 +4,7 @@ import { optionFault } from './options.js';
 import { paperMessages } from './paper.js';
 import { projectMessages } from './projects.js';
 import { readerMessages } from './readers.js';
+import { repairMessages } from './repair.js';
 import type { Messages, Table } from '../messages.js';
 import { all, figure, fixed, parts, pieces, some } from './numbers.js';
 
@@ -75,6 +76,8 @@ function badOption(params: Messages['bad-option']): string {
     case 'clearance':
     case 'fill-holes':
       return `${params.what}は${figure(params.least)}から${figure(params.most)}までにしてください`;
+    case 'repair':
+      return `'${params.step}'は止められない修復の処理です`;
     case 'names-of-part':
       return 'ブロックの名前は、ブロック1個につき1つまでです';
     case 'pin-piece':
@@ -170,6 +173,7 @@ function uncheckedPieces({ what, pieces: names }: Messages['unchecked-pieces']):
 
 export const messages: Table = {
   ...fileMessages,
+  ...repairMessages,
   ...paperMessages,
   ...projectMessages,
   ...readerMessages,

@@ -11,6 +11,7 @@ export const optionHelp: Words['optionHelp'] = {
   proxy: '面がN個を超えたら簡単にしたコピーで学習します。0：使いません',
   seed: '同じシードなら同じ結果になります',
   faces: '先に三角形をN個まで減らします',
+  repair: '修復で行う処理と行わない処理。weld=offやcracks=offのように書く。何度でも指定できる',
   'fill-holes': '幅がモデルのいちばん長い辺の何%までの穴をふさぐか。all：すべての穴',
   inside: 'ほかの立体の中にある立体。keep：残す。drop：省く',
   crossing: '突き抜け合っている立体。keep：そのまま。unite：1つにまとめる',

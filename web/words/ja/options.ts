@@ -2,10 +2,12 @@
 import type { ValueFault } from '../../model/option-values.js';
 import { paperSizes } from '../../model/paper.js';
 import type { OptionFault } from '../messages.js';
+import type { StepFault } from '../step-fault.js';
 import { figure } from './numbers.js';
+import { stepFault } from './repair.js';
 
 /** What is possible instead. */
-function expectation(fault: ValueFault): string {
+function expectation(fault: Exclude<ValueFault, StepFault>): string {
   switch (fault.expected) {
     case 'whole':
       return `${figure(fault.least)}から${figure(fault.most)}までの整数`;
@@ -28,6 +30,7 @@ function expectation(fault: ValueFault): string {
 
 /** What is wrong with a value, to be read after it. */
 function valueFault(fault: ValueFault): string {
+  if (fault.expected === 'switches' || fault.expected === 'other-step') return stepFault(fault);
   const about = fault.part === undefined ? '' : `'${fault.part}'はブロックを表していません。`;
   const or = fault.or === undefined ? '' : `、または${fault.or}`;
   return `は使えません。${about}${expectation(fault)}${or}にしてください`;

@@ -234,6 +234,7 @@ export const page: Words['page'] = {
     nets: '展開図',
     netsNew: '新しく作る',
     netsFile: 'ファイルのものを使う',
+    steps: 'モデルを直す',
     holes: '穴',
     holesOpen: '開けておく',
     holesSmall: '小さい穴だけふさぐ',
