@@ -46,6 +46,7 @@ export const navigation = [
   {
     title: 'In depth',
     pages: [
+      '/repair.html',
       '/simplification.html',
       '/parts.html',
       '/folding.html',

@@ -12,6 +12,7 @@ export const repositoryPages = {
   'docs/folding.md': '/folding.html',
   'docs/package.md': '/package.html',
   'docs/paper.md': '/paper.html',
+  'docs/repair.md': '/repair.html',
   'docs/segmentation.md': '/parts.html',
   'docs/simplification.md': '/simplification.html',
   'docs/versions.md': '/versions.html',

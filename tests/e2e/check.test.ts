@@ -199,6 +199,58 @@ test('holes are closed and inner bodies left out where a person wants it, and se
     expect(studio.complaints).toEqual([]);
   }));
 
+/** Two cubes: one with a hole and a triangle the other way round, and one whose triangles share no corners. */
+function faultyBoxes(): string {
+  const turned = cube.faces.slice(0, -1).map((face, i) => (i === 0 ? face.toReversed() : face));
+  const loose = cube.faces.flatMap((face) => face.map((v) => cube.vertices[v]!));
+  const moved = loose.map(([x, y, z]) => [x! + 100, y!, z!]);
+  return objText({
+    vertices: [...cube.vertices, ...moved],
+    faces: [...turned, ...cube.faces.map((_, i) => [0, 1, 2].map((k) => 8 + 3 * i + k))],
+  });
+}
+
+test('steps of the repair are listed with what they did, and switched off and on', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await studio.choose('boxes.obj', faultyBoxes());
+    await holds(studio, 'boxes.obj');
+    const list = page.locator('#check-repaired');
+    const [weld, winding] = [
+      list.getByRole('checkbox', { name: 'Join points at the same place' }),
+      list.getByRole('checkbox', { name: 'Turn faces right side out' }),
+    ];
+    expect(await list.innerText()).toContain('28 vertices were merged with others');
+    expect(await list.innerText()).toContain('1 face was turned over');
+    expect([await weld.isChecked(), await winding.isChecked()]).toEqual([true, true]);
+    const remaining = page.locator('#check-remaining');
+    expect(await remaining.innerText()).toContain('3 edges lie on the border of 1 open surface');
+    await list.scrollIntoViewIfNeeded();
+    await studio.picture('check-repairs');
+
+    await winding.uncheck();
+    await list.getByText('Turning faces over was switched off: 1 face has').waitFor();
+    expect(await remaining.innerText()).toContain('of 2 open surfaces');
+    expect(await page.locator('#repair-winding').isChecked()).toBe(false);
+    await studio.picture('check-repair-off');
+    await winding.check();
+    await list.getByText('1 face was turned over').waitFor();
+    // Whoever goes from switch to switch by keys stays there.
+    await weld.focus();
+    await page.keyboard.press('Space');
+    await list.getByText('Welding was switched off: 28 vertices lie').waitFor();
+    expect(await weld.evaluate((box) => box.matches(':focus'))).toBe(true);
+
+    await page.locator('#check').getByRole('button', { name: 'Unfold' }).click();
+    await studio.resultOf('boxes');
+    expect(await trianglesOf(studio)).toBe('23');
+    // What was set for a model leaves with it.
+    await studio.chooseSample('Cube');
+    await studio.resultOf('cube');
+    expect(await page.locator('#repair-weld').isChecked()).toBe(true);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('bodies that run through each other are made one where a person wants it', () =>
   withStudio(async (studio) => {
     const { page } = studio;

@@ -97,6 +97,49 @@ describe.skipIf(!isBuilt)('bodies that run through each other', () => {
   });
 });
 
+/** A cube with one triangle the other way round. */
+const turned = objText({
+  ...cube,
+  faces: cube.faces.map((f, i) => (i === 0 ? f.toReversed() : f)),
+});
+
+describe.skipIf(!isBuilt)('steps of the repair', () => {
+  it('are done unless they are switched off', async () => {
+    const { report } = await run(turned, []);
+    expect(repairsOf(report)).toEqual({ 'flipped-faces': 1 });
+    expect(report.options['repair']).toBe('on');
+    expect(report.model.components).toBe(1);
+  });
+
+  it('are told where they are off, and what comes of it is unfolded', async () => {
+    const { notes, report } = await run(turned, [
+      '--repair',
+      'winding=off',
+      '--repair',
+      'weld=off',
+    ]);
+    expect(notes).toContain(
+      'note: turning faces over was switched off: 1 face has its printed side inside, and comes apart',
+    );
+    expect(notes).toContain('6 edges lie on the border of 2 open surfaces without a volume');
+    expect(repairsOf(report)).toMatchObject({ 'step-off': 1, 'open-border': 6 });
+    expect(report.options['repair']).toBe('weld=off,winding=off');
+    expect(report.model).toMatchObject({ faces: 12, components: 2 });
+    expect(report.segmentation.every((part) => part >= 1)).toBe(true);
+  });
+
+  it('that unfolding needs are refused by name', () =>
+    inFolder(async (folder) => {
+      const file = join(folder, 'model.obj');
+      writeFileSync(file, turned);
+      const { stderr, status } = await foldwright([file, '--repair', 'weld=off,non-manifold=off']);
+      expect(status).toBe(2);
+      expect(stderr).toContain(
+        "'non-manifold', which cannot be switched off: a fold joins two faces and no more",
+      );
+    }));
+});
+
 describe.skipIf(!isBuilt)('holes', () => {
   it('are left open, with the option that fills them', async () => {
     const { notes, report } = await run(openBox, []);
