@@ -30,7 +30,7 @@ list(REMOVE_ITEM engine_sources ${small_sources})
 
 # Loops over all of a file, or a matrix: a model of a million triangles is read in seconds.
 set(loop_sources ${small_sources})
-list(FILTER loop_sources INCLUDE REGEX "/(read|repair|simplify)/|/spectral")
+list(FILTER loop_sources INCLUDE REGEX "/cpp/(read|repair|simplify)/|/spectral")
 # These go through few things, or call others that loop.
 list(FILTER loop_sources EXCLUDE REGEX "/(unite_bodies|make_manifold|mend_bodies|repair|thin_bodies|joints|model_files|model_format|mirror_half|simplify)\\.cpp$")
 list(REMOVE_ITEM small_sources ${loop_sources})

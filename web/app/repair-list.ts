@@ -26,9 +26,7 @@ export class RepairList extends Panel {
     const off = this.fields.value.repair;
     for (const [step, input] of this.switches) input.checked = !off.includes(step);
     // Whoever has used a switch stays at it.
-    const used = [...this.switches.values()].find(
-      (input) => input === this.place.root.activeElement,
-    );
+    const used = [...this.switches.values()].find((input) => input.matches(':focus'));
     this.list.replaceChildren(...rows.map((row) => this.item(row)));
     this.box.hidden = rows.length === 0;
     used?.focus({ preventScroll: true });
