@@ -1,3 +1,4 @@
+import { Shared } from '../browser/shared.js';
 import { browserPool } from '../core/browser-pool.js';
 import type { Pool } from '../core/pool.js';
 
@@ -9,23 +10,13 @@ export interface LentPool {
   giveBack(): void;
 }
 
-let shared: Pool | null = null;
-const borrowers = new Set<LentPool>();
+const shared = new Shared<Pool>((pool) => pool.close());
 
 /** Lends the page's engine workers to a studio: however many there are, the device has its cores only once. */
 export function lendPool(workers: () => number | undefined): LentPool {
   const loan: LentPool = {
-    pool() {
-      borrowers.add(loan);
-      shared ??= browserPool(workers());
-      return shared;
-    },
-    giveBack() {
-      borrowers.delete(loan);
-      if (borrowers.size > 0) return;
-      shared?.close();
-      shared = null;
-    },
+    pool: () => shared.lend(loan, () => browserPool(workers())),
+    giveBack: () => shared.giveBack(loan),
   };
   return loan;
 }
