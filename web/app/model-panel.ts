@@ -3,6 +3,7 @@ import type { Vector } from '../model/vector.js';
 import { canFold, labelsOf, type FoldedNets } from '../read/fold/folded-nets.js';
 import type { DrawingFailure } from '../view/drawing.js';
 import type { Painted, Pointed } from '../view/model-message.js';
+import { ownPlaces } from '../view/model-places.js';
 import { modelView } from '../view/model-view.js';
 import { BrushSwitch } from './brush-switch.js';
 import { FoldingPanel } from './folding-panel.js';
@@ -30,7 +31,7 @@ export class ModelPanel extends Panel {
   private readonly picture = this.find('#model-picture', HTMLElement);
   private readonly note = this.find('#model-note', HTMLElement);
   private readonly name = this.find('#model-name', HTMLElement);
-  private readonly view = modelView(this.picture, this.place.life, {
+  private readonly view = modelView(this.picture, ownPlaces, this.place.life, {
     onFailure: (failure) => this.excuse(failure),
     onPoint: (pointed) => this.listener.point(pointed),
     isPainting: () => this.brush.isOn,

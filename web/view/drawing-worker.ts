@@ -1,24 +1,43 @@
-import type { CanvasMessage, Drawer } from './drawing.js';
+import type {
+  CanvasMessage,
+  Drawer,
+  DrawerListener,
+  DrawingNews,
+  DrawingOrder,
+} from './drawing.js';
+
+/** Makes a drawer on a canvas; null where nothing can be drawn on it. */
+export type MakeDrawer<Message, Answer> = (
+  canvas: OffscreenCanvas,
+  listener: DrawerListener<Answer>,
+) => Drawer<Message> | null;
 
 /**
- * A worker's side of a drawing: gets the canvas, says whether it can draw on it, and from then on
- * gets what to draw, and answers what it is asked.
- *
- * @param make gives null where nothing can be drawn on such a canvas
+ * A worker's side of drawings, of which it may be given several: gets a canvas and a port for each, says whether it can
+ * draw there, and from then on gets what to draw, and answers what it is asked.
  */
-export function serveDrawing<Message, Answer = never>(
-  make: (canvas: OffscreenCanvas, answer: (answer: Answer) => void) => Drawer<Message> | null,
+export function serveDrawings<Message extends { type: string }, Answer = never>(
+  make: MakeDrawer<Message, Answer>,
 ): void {
-  let drawer: Drawer<Message> | null = null;
-  addEventListener(
-    'message',
-    ({ data }: MessageEvent<OffscreenCanvas | Message | CanvasMessage>) => {
-      if (!(data instanceof OffscreenCanvas)) {
-        drawer?.(data);
-        return;
-      }
-      drawer = make(data, (answer) => postMessage(answer));
-      postMessage(drawer !== null);
+  addEventListener('message', ({ data }: MessageEvent<DrawingOrder>) => serve(data, make));
+}
+
+function serve<Message extends { type: string }, Answer>(
+  { canvas, port }: DrawingOrder,
+  make: MakeDrawer<Message, Answer>,
+): void {
+  const tell = (news: DrawingNews<Answer>): void => port.postMessage(news);
+  const drawer = make(canvas, {
+    answer: (answer) => tell({ answer }),
+    fail: (error) => {
+      console.error(error);
+      tell({ canDraw: false });
     },
-  );
+  });
+  tell({ canDraw: drawer !== null });
+  port.addEventListener('message', ({ data }: MessageEvent<Message | CanvasMessage>) => {
+    drawer?.(data);
+    if (data.type === 'end') port.close();
+  });
+  port.start();
 }

@@ -5,31 +5,45 @@ export type Drawer<Message> = (message: Message | CanvasMessage) => void;
 
 export type CanvasMessage =
   | ({ type: 'size' } & PictureSize)
-  /** The last one: nobody sees the canvas any more, and what it holds can be freed. Workers are ended instead. */
+  /** The last one: nobody sees the canvas any more, and what it holds can be freed. */
   | { type: 'end' };
+
+/** Hears of a drawer. */
+export interface DrawerListener<Answer> {
+  answer(answer: Answer): void;
+  /** It draws no more. */
+  fail(error: unknown): void;
+}
+
+/** A worker that keeps to `serveDrawings`, lent to one drawing. */
+export interface DrawingWorker {
+  worker: Worker;
+  /** Gives it back, to end if it draws for nobody else. May be called more than once. */
+  giveBack: () => void;
+}
 
 /** Where a drawing may be made. */
 export interface Places<Message, Answer = never> {
-  /** Starts a worker that keeps to `serveDrawing`. */
-  worker: () => Worker;
+  worker: () => DrawingWorker;
   /** Makes a drawer in this thread; null where nothing can be drawn. */
   here: (
     canvas: HTMLCanvasElement,
-    answer: (answer: Answer) => void,
+    listener: DrawerListener<Answer>,
   ) => Promise<Drawer<Message> | null>;
 }
 
+/** What a worker gets for each drawing. */
+export interface DrawingOrder {
+  canvas: OffscreenCanvas;
+  /** Over which it hears what to draw, and sends its news. */
+  port: MessagePort;
+}
+
+/** What a worker sends over the port of a drawing: first whether it can draw, later that it no longer can. */
+export type DrawingNews<Answer> = { canDraw: boolean } | { answer: Answer };
+
 /** Why there is nothing to see: nobody can draw it here, or whoever could has failed. */
 export type DrawingFailure = 'impossible' | 'broken';
-
-/** What a worker says first: whether it can draw. One that cannot be loaded cannot. */
-function isAble(worker: Worker): Promise<boolean> {
-  return new Promise((resolve) => {
-    const once = { once: true };
-    worker.addEventListener('message', ({ data }: MessageEvent<boolean>) => resolve(data), once);
-    worker.addEventListener('error', () => resolve(false), once);
-  });
-}
 
 export interface DrawingListener<Answer> {
   onFailure?(failure: DrawingFailure): void;
@@ -60,6 +74,7 @@ export class Drawing<Message, Answer = never> {
     this.opened = true;
     try {
       const drawer = (await this.inWorker()) ?? (await this.here());
+      if (this.life.aborted) return;
       if (drawer) this.begin(drawer);
       else this.fail('impossible');
     } catch (error) {
@@ -76,29 +91,38 @@ export class Drawing<Message, Answer = never> {
   private async inWorker(): Promise<Drawer<Message> | null> {
     const canvas = this.newCanvas();
     if (!('transferControlToOffscreen' in canvas)) return null;
-    const worker = this.places.worker();
-    const offscreen = canvas.transferControlToOffscreen();
-    this.life.addEventListener('abort', () => worker.terminate());
-    worker.postMessage(offscreen, [offscreen]);
-    if (!(await isAble(worker))) {
-      worker.terminate();
+    const { worker, giveBack } = this.places.worker();
+    const port = order(worker, canvas);
+    const end = (): void => {
+      port.postMessage({ type: 'end' });
+      giveBack();
+    };
+    const { life } = this;
+    const during = { signal: life };
+    life.addEventListener('abort', end);
+    if (!(await isAble(worker, port, during))) {
+      end();
       return null;
     }
-    worker.addEventListener('error', () => this.fail('broken'));
-    worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => this.answer(data));
-    return (message) => worker.postMessage(message);
+    worker.addEventListener('error', () => this.fail('broken'), during);
+    port.addEventListener('message', ({ data }) => this.hear(data as DrawingNews<Answer>), during);
+    return (message) => port.postMessage(message);
   }
 
   private async here(): Promise<Drawer<Message> | null> {
-    const drawer = await this.places.here(this.newCanvas(), (answer) => this.answer(answer));
+    const drawer = await this.places.here(this.newCanvas(), {
+      answer: (answer) => this.hear({ answer }),
+      fail: () => this.hear({ canDraw: false }),
+    });
     const end = (): void => drawer?.({ type: 'end' });
     if (this.life.aborted) end();
     else this.life.addEventListener('abort', end);
     return drawer;
   }
 
-  private answer(answer: Answer): void {
-    this.listener.onAnswer?.(answer);
+  private hear(news: DrawingNews<Answer>): void {
+    if ('answer' in news) this.listener.onAnswer?.(news.answer);
+    else if (!news.canDraw) this.fail('broken');
   }
 
   /** A canvas that was handed to a worker never comes back: each attempt needs one of its own. */
@@ -123,4 +147,27 @@ export class Drawing<Message, Answer = never> {
     this.drawer = () => undefined;
     this.listener.onFailure?.(failure);
   }
+}
+
+/** Hands a canvas to a worker; the port to whoever draws on it there. */
+function order(worker: Worker, canvas: HTMLCanvasElement): MessagePort {
+  const { port1, port2 } = new MessageChannel();
+  const ordered: DrawingOrder = { canvas: canvas.transferControlToOffscreen(), port: port2 };
+  worker.postMessage(ordered, [ordered.canvas, port2]);
+  port1.start();
+  return port1;
+}
+
+/** What a worker says first: whether it can draw. One that cannot be loaded cannot. */
+function isAble(
+  worker: Worker,
+  port: MessagePort,
+  during: { signal: AbortSignal },
+): Promise<boolean> {
+  return new Promise((resolve) => {
+    const once = { once: true, ...during };
+    const hear = ({ data }: MessageEvent<{ canDraw: boolean }>): void => resolve(data.canDraw);
+    port.addEventListener('message', hear, once);
+    worker.addEventListener('error', () => resolve(false), once);
+  });
 }

@@ -34,6 +34,11 @@ export class LitFaces {
     this.light(new Int32Array());
   }
 
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+
   /** Lights faces in place of those before; those that the model does not have are ignored. */
   light(faces: Int32Array): void {
     const { geometry } = this.mesh;

@@ -98,6 +98,13 @@ export class ModelLights {
     for (const line of this.lines) line.geometry = geometry;
   }
 
+  dispose(): void {
+    for (const { geometry, material } of this.lines) {
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+
   private cornerOf(from: number, to: number): number | undefined {
     this.corners ??= new Map(
       [...this.faces].map((vertex, corner) => [

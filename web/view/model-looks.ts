@@ -34,6 +34,11 @@ export class ModelLooks {
     if (this.looked) model.group.add(this.looked.mesh);
   }
 
+  dispose(): void {
+    this.show(null);
+    this.pictures.dispose();
+  }
+
   /**
    * Decides what is drawn. A surface from before the model was simplified stands still.
    *

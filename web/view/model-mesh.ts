@@ -168,6 +168,15 @@ export class ModelMesh {
     this.lines.geometry.setDrawRange(0, ends.length);
   }
 
+  /** Frees what the graphics card has of it. */
+  dispose(): void {
+    for (const { geometry, material } of [this.mesh, this.lines]) {
+      geometry.dispose();
+      material.dispose();
+    }
+    this.lit.dispose();
+  }
+
   /** Says that positions and normals have changed. */
   moved(): void {
     this.position.needsUpdate = this.normal.needsUpdate = true;

@@ -5,20 +5,19 @@ import {
   Raycaster,
   Scene,
   Vector2,
-  WebGLRenderer,
 } from 'three';
 import { Brush } from './brush.js';
 import type { PictureSize } from './picture-size.js';
-import type { CanvasMessage } from './drawing.js';
+import type { CanvasMessage, DrawerListener } from './drawing.js';
 import { FoldingStage } from './folding-stage.js';
 import { extentOf } from './model-geometry.js';
 import { ModelLights } from './model-lights.js';
 import { ModelLooks } from './model-looks.js';
 import { ModelMesh } from './model-mesh.js';
 import type { Folding, ModelAnswer, ModelMessage } from './model-message.js';
+import type { ModelScreen } from './model-screen.js';
 import { Orbit, viewHeight } from './orbit.js';
 import { Redraw } from './redraw.js';
-import { drawsInSoftware } from './webgl.js';
 
 /** Radians per second of the slow turn, and ms between two of its steps. */
 const turnSpeed = 0.25;
@@ -26,7 +25,6 @@ const turnInterval = 33;
 
 /** A model in 3D, lit, flat-shaded and coloured by part; draws in frames, and only what changed. */
 export class ModelScene {
-  private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera();
   private readonly orbit = new Orbit(this.camera);
@@ -38,7 +36,7 @@ export class ModelScene {
     partOf: (face) => this.mesh.partOf(face),
     paint: (face, part) => this.mesh.give(face, part),
   });
-  private readonly redraw = new Redraw(() => this.draw());
+  private readonly redraw = new Redraw(() => this.guard(() => this.draw()));
   private readonly looks = new ModelLooks(this.mesh, () => this.redraw.request());
   private folding: Folding | null = null;
   /** Made when it is first needed: most results are only looked at. */
@@ -50,34 +48,38 @@ export class ModelScene {
   private isTurned = false;
   private visible = false;
   private turning = false;
-  /** Turning all the time without a graphics card would make a run a fifth longer. */
-  private readonly turnsAlone: boolean;
   private lastTurn = -Infinity;
 
-  /**
-   * @param canvas of a document or, in a worker, without one
-   * @param answer hears which face is seen where someone points
-   */
+  /** @param listener hears which face is seen where someone points */
   constructor(
-    canvas: HTMLCanvasElement | OffscreenCanvas,
-    context: WebGL2RenderingContext,
-    private readonly answer: (answer: ModelAnswer) => void,
+    private readonly screen: ModelScreen,
+    private readonly listener: DrawerListener<ModelAnswer>,
   ) {
-    this.turnsAlone = !drawsInSoftware(context);
-    this.renderer = new WebGLRenderer({ canvas, context });
-    this.renderer.setClearAlpha(0);
     const sun = new DirectionalLight('#fff6e6', 2.1);
     sun.position.set(-0.7, 1, 0.9);
     // The light stays at the beholder's shoulder, so that no side is ever dark.
     this.camera.add(sun, sun.target);
     this.scene.add(this.camera, new HemisphereLight('#ffffff', '#b8a98c', 1.5));
     this.scene.add(this.mesh.group, this.lights.group, this.stepLights.group);
-    // Now, so that the first model does not have to wait for it.
-    this.renderer.compile(this.scene, this.camera);
-    canvas.addEventListener('webglcontextrestored', () => this.redraw.request());
+    screen.prepare(this.scene, this.camera);
+    screen.onRestored(() => this.redraw.request());
   }
 
   take(message: ModelMessage | CanvasMessage): void {
+    this.guard(() => this.obey(message));
+  }
+
+  /** Ends the scene with what fails in it: others may share its thread, and go on. */
+  private guard(work: () => void): void {
+    try {
+      work();
+    } catch (error) {
+      this.end();
+      this.listener.fail(error);
+    }
+  }
+
+  private obey(message: ModelMessage | CanvasMessage): void {
     switch (message.type) {
       case 'model':
         this.show(message);
@@ -113,7 +115,8 @@ export class ModelScene {
         this.looks.show(message.looks);
         break;
       case 'turning':
-        this.turnAlone(message.turning && this.turnsAlone);
+        // Without a graphics card that would make a run a fifth longer.
+        this.turnAlone(message.turning && !this.screen.isInSoftware);
         break;
       case 'turn':
         this.turning = false;
@@ -137,11 +140,11 @@ export class ModelScene {
     this.redraw.request();
   }
 
-  /** Browsers bear few contexts at a time, and free those of lost canvases late. */
+  /** Frees what it has of the graphics card: the context may be that of others as well. */
   private end(): void {
     this.turning = this.visible = false;
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    for (const part of [this.mesh, this.looks, this.lights, this.stepLights]) part.dispose();
+    this.screen.end();
   }
 
   private show({
@@ -175,7 +178,7 @@ export class ModelScene {
   }
 
   private pick({ x, y, why }: Extract<ModelMessage, { type: 'point' }>): void {
-    this.answer({ face: this.faceAt(x, y), why });
+    this.listener.answer({ face: this.faceAt(x, y), why });
   }
 
   private stroke(stroke: Extract<ModelMessage, { type: 'stroke' }>): void {
@@ -186,7 +189,7 @@ export class ModelScene {
     else if (stroke.phase === 'move') this.brush.move(stroke);
     else {
       const painted = this.brush.end();
-      if (painted) this.answer(painted);
+      if (painted) this.listener.answer(painted);
     }
   }
 
@@ -226,8 +229,7 @@ export class ModelScene {
   private resize({ width, height, density }: PictureSize): void {
     this.visible = width > 0 && height > 0;
     if (!this.visible) return;
-    this.renderer.setPixelRatio(density);
-    this.renderer.setSize(width, height, false);
+    this.screen.resize({ width, height, density });
     this.orbit.fit(width / height);
     // A resized canvas is empty: waiting for the next frame would flash.
     this.draw();
@@ -239,6 +241,6 @@ export class ModelScene {
     this.looks.update(this.time === 1);
     for (const lights of [this.lights, this.stepLights])
       lights.place(this.mesh.positions, this.time === 1);
-    this.renderer.render(this.scene, this.camera);
+    this.screen.draw(this.scene, this.camera);
   }
 }

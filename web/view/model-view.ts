@@ -1,22 +1,8 @@
-import { startModuleWorker } from '../browser/module-worker.js';
-import { Drawing, type DrawingFailure, type Places } from './drawing.js';
+import { Drawing, type DrawingFailure } from './drawing.js';
 import { Hover } from './hover.js';
 import type { ModelAnswer, ModelMessage, Painted, Pointed } from './model-message.js';
-import modelWorker from './model-worker.ts?worker&url';
+import type { ModelPlaces } from './model-places.js';
 import { TurnInput } from './turn-input.js';
-import { startWebGl } from './webgl.js';
-
-const places: Places<ModelMessage, ModelAnswer> = {
-  worker: () => startModuleWorker(modelWorker),
-  async here(canvas, answer) {
-    // Before anything is loaded for it.
-    const context = startWebGl(canvas);
-    if (!context) return null;
-    const { ModelScene } = await import('./model-scene.js');
-    const scene = new ModelScene(canvas, context, answer);
-    return (message) => scene.take(message);
-  },
-};
 
 export interface ModelViewListener {
   /** `impossible` where there is no WebGL 2. */
@@ -32,10 +18,12 @@ export interface ModelViewListener {
 /**
  * A model in 3D that fills an element of the page, and that mouse, fingers and keys turn.
  *
+ * @param places who draws it
  * @param life ends it
  */
 export function modelView(
   frame: HTMLElement,
+  places: ModelPlaces,
   life: AbortSignal,
   listener: ModelViewListener,
 ): Drawing<ModelMessage, ModelAnswer> {

@@ -1,8 +1,8 @@
 /** Entry of the worker that draws a flat picture. */
-import { serveDrawing } from './drawing-worker.js';
+import { serveDrawings } from './drawing-worker.js';
 import { Painter, type PictureMessage } from './painter.js';
 
-serveDrawing<PictureMessage>((canvas) => {
+serveDrawings<PictureMessage>((canvas) => {
   const painter = new Painter(canvas);
   return (message) => painter.take(message);
 });

@@ -1,5 +1,5 @@
-import { startModuleWorker } from '../browser/module-worker.js';
 import { Drawing } from './drawing.js';
+import { ownWorker } from './own-worker.js';
 import { Painter, type PictureMessage } from './painter.js';
 import pictureWorker from './picture-worker.ts?worker&url';
 
@@ -8,7 +8,7 @@ export function openPicture(frame: HTMLElement, life: AbortSignal): Drawing<Pict
   const picture = new Drawing<PictureMessage>(
     frame,
     {
-      worker: () => startModuleWorker(pictureWorker),
+      worker: () => ownWorker(pictureWorker),
       here: (canvas) => {
         const painter = new Painter(canvas);
         return Promise.resolve((message) => painter.take(message));

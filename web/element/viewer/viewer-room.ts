@@ -2,6 +2,7 @@
 import { partColour } from '../../model/part-colours.js';
 import { FoldPlayer } from '../../view/fold-player.js';
 import { partHatch } from '../../view/part-hatches.js';
+import { sharedPlaces } from '../../view/model-places.js';
 import { modelView } from '../../view/model-view.js';
 import { netPattern } from '../../view/net-pattern.js';
 import { sheetPicture } from '../../view/sheet-picture.js';
@@ -72,7 +73,7 @@ export class ViewerRoom {
     private look: RoomLook,
     private readonly listener: RoomListener,
   ) {
-    this.view = modelView(this.picture, life, {
+    this.view = modelView(this.picture, sharedPlaces, life, {
       onFailure: () => this.tell(({ noPicture }) => noPicture),
       onPoint: ({ face, why }) => {
         if (why !== 'over') this.choose(face);
