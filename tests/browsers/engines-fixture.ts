@@ -9,17 +9,18 @@ import { webkit } from './webkit.js';
 export const engines: readonly Engine[] = [chromium, firefox, webkit];
 
 /**
- * Serves the studio and opens a screen for the tests of one file. What it returns opens the studio in an engine,
+ * Serves a page with a studio and opens a screen for the tests of one file. What it returns opens the studio in an engine,
  * hands it to `work` and closes it whatever happens.
+ *
+ * @param serveSite of a page that is watched by `watchPage`; by default the studio's own
  */
-export function useEngines(): (
-  engine: Engine,
-  work: (studio: WatchedStudio) => Promise<void>,
-) => Promise<void> {
+export function useEngines(
+  serveSite: () => Promise<WatchedSite> = serveWatched,
+): (engine: Engine, work: (studio: WatchedStudio) => Promise<void>) => Promise<void> {
   let [site, screen]: [WatchedSite | null, VirtualScreen | null] = [null, null];
   beforeAll(async () => {
     screen = await openScreen();
-    site = await serveWatched();
+    site = await serveSite();
   });
   afterAll(async () => {
     await site?.close();

@@ -32,16 +32,19 @@ export const builtFile = (name: string): string => join(built, name);
 const moduleOf = (host: string): string =>
   `<script type="module" src="${host}foldwright-viewer.js"></script>`;
 
-/**
- * Opens a plain page with viewers, whose scripts come from another origin; hands it to `work` and closes it.
- *
- * @param scriptOf what loads them from a host
- */
+export interface ViewerPageOptions {
+  /** What loads the viewer from a host. */
+  scriptOf?: (host: string) => string;
+  /** Runs before the page has loaded anything. */
+  prepare?: (page: Page) => Promise<void>;
+}
+
+/** Opens a plain page with viewers, whose scripts come from another origin; hands it to `work` and closes it. */
 export async function withViewerPage(
   markup: string,
   files: Record<string, string>,
   work: (page: ViewerPage) => Promise<void>,
-  scriptOf: (host: string) => string = moduleOf,
+  { scriptOf = moduleOf, prepare }: ViewerPageOptions = {},
 ): Promise<void> {
   const folder = await mkdtemp(join(tmpdir(), 'foldwright-viewer-'));
   const host = await serve(built, { headers: { 'access-control-allow-origin': '*' } });
@@ -69,6 +72,7 @@ export async function withViewerPage(
       const address = request.url();
       if (address.startsWith(host.address)) loaded.add(address.slice(host.address.length));
     });
+    await prepare?.(page);
     await page.goto(server.address);
     await work({ page, host: host.address, loaded, complaints });
   } finally {

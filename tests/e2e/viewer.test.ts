@@ -1,6 +1,5 @@
 /** `<foldwright-viewer>` in a plain page, from another origin. */
-import { readFile, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
+import { readFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
@@ -8,29 +7,14 @@ import { elementsManifest } from '../../scripts/elements-manifest.mjs';
 import type { FoldwrightViewer } from '../../web/element/foldwright-viewer.js';
 import type { Report } from '../../web/export/report.js';
 import { nodePackage } from '../web/built-package.js';
-import { foldwright, inFolder } from '../web/command.js';
-import { objText, wavyRing } from '../web/model-text.js';
+import { ring, unfoldedRing } from './unfolded-ring.js';
 import { builtFile, withViewerPage } from './viewer-page.js';
 
 /** Bytes, compressed, that a page with a finished model asks for: scripts and three.js, and no engine. */
 const budget = 180_000;
 
-const ring = objText(wavyRing(8));
-const options = ['--parts', '3', '--seed', '2'];
-
-/** What the command line makes of the ring: the FOLD file and the hash of its result. */
-function unfoldedRing(): Promise<{ fold: string; hash: string }> {
-  return inFolder(async (folder) => {
-    const [model, fold, report] = ['ring.obj', 'ring.fold', 'ring.json'].map((name) =>
-      join(folder, name),
-    );
-    await writeFile(model!, ring);
-    const ended = await foldwright([model!, ...options, '-o', fold!, '--report', report!]);
-    expect(ended.status).toBe(0);
-    const { result_hash } = JSON.parse(await readFile(report!, 'utf8')) as { result_hash: string };
-    return { fold: await readFile(fold!, 'utf8'), hash: result_hash };
-  });
-}
+/** The same without what draws the model, which is fetched once there is one. */
+const shellBudget = 25_000;
 
 type Heard = { type: string } & Record<string, unknown>;
 
@@ -72,9 +56,13 @@ test('a viewer shows and folds a FOLD file without the engine, within its budget
     expect(await viewer.locator('.picture').getAttribute('aria-label')).toContain('A ring');
     const folded = await pictureAfter(page, null);
 
-    const sizes = await Promise.all(
-      [...loaded].map(async (name) => gzipSync(await readFile(builtFile(name))).length),
+    const sizeOf = async (name: string): Promise<number> =>
+      gzipSync(await readFile(builtFile(name))).length;
+    const sizes = await Promise.all([...loaded].map(sizeOf));
+    const shell = await Promise.all(
+      [...loaded].filter((name) => !name.includes('model-worker')).map(sizeOf),
     );
+    expect(shell.reduce((sum, size) => sum + size)).toBeLessThan(shellBudget);
     expect([...loaded].filter((name) => /wasm|\/worker-/.test(name))).toEqual([]);
     expect([...loaded].some((name) => name.includes('model-worker'))).toBe(true);
     expect(sizes.reduce((sum, size) => sum + size)).toBeLessThan(budget);
@@ -277,6 +265,6 @@ test('one script without modules gets a page the elements that it has, now or la
       await page.locator('foldwright-studio').getByText('Choose a model').first().waitFor();
       expect(complaints).toEqual([]);
     },
-    (host) => `<script src="${host}foldwright-elements.js"></script>`,
+    { scriptOf: (host) => `<script src="${host}foldwright-elements.js"></script>` },
   );
 });

@@ -6,15 +6,21 @@ import type {
   DrawingOrder,
 } from './drawing.js';
 
-/** Makes a drawer on a canvas; null where nothing can be drawn on it. */
+/** Hears of a drawer in a worker. */
+export interface WorkerListener<Answer> extends DrawerListener<Answer> {
+  /** Takes a picture to the page, where the order came without a canvas. */
+  show(picture: ImageBitmap): void;
+}
+
+/** Makes a drawer on the canvas of an order, or of pictures; null where nothing can be drawn so. */
 export type MakeDrawer<Message, Answer> = (
-  canvas: OffscreenCanvas,
-  listener: DrawerListener<Answer>,
+  canvas: OffscreenCanvas | null,
+  listener: WorkerListener<Answer>,
 ) => Drawer<Message> | null;
 
 /**
- * A worker's side of drawings, of which it may be given several: gets a canvas and a port for each, says whether it can
- * draw there, and from then on gets what to draw, and answers what it is asked.
+ * A worker's side of drawings, of which it may be given several: gets an order for each, says whether it can be done, and from
+ * then on gets what to draw, and answers what it is asked.
  */
 export function serveDrawings<Message extends { type: string }, Answer = never>(
   make: MakeDrawer<Message, Answer>,
@@ -26,9 +32,11 @@ function serve<Message extends { type: string }, Answer>(
   { canvas, port }: DrawingOrder,
   make: MakeDrawer<Message, Answer>,
 ): void {
-  const tell = (news: DrawingNews<Answer>): void => port.postMessage(news);
+  const tell = (news: DrawingNews<Answer>, transfer: Transferable[] = []): void =>
+    port.postMessage(news, transfer);
   const drawer = make(canvas, {
     answer: (answer) => tell({ answer }),
+    show: (picture) => tell({ picture }, [picture]),
     fail: (error) => {
       console.error(error);
       tell({ canDraw: false });

@@ -18,6 +18,11 @@ export interface DrawerListener<Answer> {
 /** A worker that keeps to `serveDrawings`, lent to one drawing. */
 export interface DrawingWorker {
   worker: Worker;
+  /**
+   * Whether it draws for others as well, and so sends pictures instead of drawing on the canvas: one context has one
+   * canvas. Where workers copy to canvases of a page, Chromium shows nothing more once its graphics process has died.
+   */
+  isShared: boolean;
   /** Gives it back, to end if it draws for nobody else. May be called more than once. */
   giveBack: () => void;
 }
@@ -34,13 +39,15 @@ export interface Places<Message, Answer = never> {
 
 /** What a worker gets for each drawing. */
 export interface DrawingOrder {
-  canvas: OffscreenCanvas;
+  /** Null if pictures are to be sent. */
+  canvas: OffscreenCanvas | null;
   /** Over which it hears what to draw, and sends its news. */
   port: MessagePort;
 }
 
 /** What a worker sends over the port of a drawing: first whether it can draw, later that it no longer can. */
-export type DrawingNews<Answer> = { canDraw: boolean } | { answer: Answer };
+export type DrawingNews<Answer> =
+  { canDraw: boolean } | { answer: Answer } | { picture: ImageBitmap };
 
 /** Why there is nothing to see: nobody can draw it here, or whoever could has failed. */
 export type DrawingFailure = 'impossible' | 'broken';
@@ -59,6 +66,8 @@ export class Drawing<Message, Answer = never> {
   /** What was told before there was anyone to draw it. */
   private waiting: (Message | CanvasMessage)[] = [];
   private drawer: Drawer<Message> = (message) => this.waiting.push(message);
+  /** Shows pictures that a worker sends. */
+  private pictures: ImageBitmapRenderingContext | null = null;
 
   /** @param life ends whoever draws, and frees what it has of the graphics card */
   constructor(
@@ -91,8 +100,9 @@ export class Drawing<Message, Answer = never> {
   private async inWorker(): Promise<Drawer<Message> | null> {
     const canvas = this.newCanvas();
     if (!('transferControlToOffscreen' in canvas)) return null;
-    const { worker, giveBack } = this.places.worker();
-    const port = order(worker, canvas);
+    const { worker, isShared, giveBack } = this.places.worker();
+    const port = order(worker, isShared ? null : canvas.transferControlToOffscreen());
+    if (isShared) this.pictures = canvas.getContext('bitmaprenderer');
     const end = (): void => {
       port.postMessage({ type: 'end' });
       giveBack();
@@ -121,7 +131,8 @@ export class Drawing<Message, Answer = never> {
   }
 
   private hear(news: DrawingNews<Answer>): void {
-    if ('answer' in news) this.listener.onAnswer?.(news.answer);
+    if ('picture' in news) this.pictures?.transferFromImageBitmap(news.picture);
+    else if ('answer' in news) this.listener.onAnswer?.(news.answer);
     else if (!news.canDraw) this.fail('broken');
   }
 
@@ -149,11 +160,11 @@ export class Drawing<Message, Answer = never> {
   }
 }
 
-/** Hands a canvas to a worker; the port to whoever draws on it there. */
-function order(worker: Worker, canvas: HTMLCanvasElement): MessagePort {
+/** Orders a drawing of a worker; the port to whoever makes it there. */
+function order(worker: Worker, canvas: OffscreenCanvas | null): MessagePort {
   const { port1, port2 } = new MessageChannel();
-  const ordered: DrawingOrder = { canvas: canvas.transferControlToOffscreen(), port: port2 };
-  worker.postMessage(ordered, [ordered.canvas, port2]);
+  const ordered: DrawingOrder = { canvas, port: port2 };
+  worker.postMessage(ordered, canvas ? [canvas, port2] : [port2]);
   port1.start();
   return port1;
 }

@@ -4,9 +4,6 @@ import type { ModelFile } from '../model/model-files.js';
 import type { Vector } from '../model/vector.js';
 import type { MarkKind } from './sheet-marks.js';
 
-/** What a worker is called that draws the models of all who ask it, with one WebGL context. */
-export const sharedWorkerName = 'shared-models';
-
 /** Why a place is pointed at: a mouse is over it, or it is clicked, alone or to add to what is chosen. */
 export type Pointing = 'over' | 'choose' | 'add';
 

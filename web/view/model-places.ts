@@ -1,10 +1,11 @@
 import { startModuleWorker } from '../browser/module-worker.js';
 import { Shared } from '../browser/shared.js';
-import { newCanvas } from './context-2d.js';
+import { newCanvas, type AnyCanvas } from './context-2d.js';
 import type { DrawingWorker, Places } from './drawing.js';
-import { sharedWorkerName, type ModelAnswer, type ModelMessage } from './model-message.js';
+import type { ModelAnswer, ModelMessage } from './model-message.js';
 import modelWorker from './model-worker.ts?worker&url';
 import { ownWorker } from './own-worker.js';
+import type { ModelScreen } from './model-screen.js';
 import type { SharedRenderer } from './shared-renderer.js';
 import { startWebGl } from './webgl.js';
 
@@ -27,13 +28,23 @@ export const ownPlaces: ModelPlaces = {
   },
 };
 
-const workers = new Shared<Worker>((worker) => worker.terminate());
-const renderers = new Shared<Promise<SharedRenderer | null>>((started) => {
-  void started.then((renderer) => renderer?.end());
+/** What the page itself draws with. */
+interface PageRenderer {
+  canvas: AnyCanvas;
+  renderer: SharedRenderer;
+}
+
+const renderers = new Shared<Promise<PageRenderer | null>>((started) => {
+  void started.then(
+    (page) => page?.renderer.end(),
+    () => undefined,
+  );
 });
 
+const workers = new Shared<Worker>((worker) => worker.terminate());
+
 function startSharedWorker(): Worker {
-  const worker = startModuleWorker(modelWorker, sharedWorkerName);
+  const worker = startModuleWorker(modelWorker);
   worker.addEventListener('error', () => workers.discard(worker));
   return worker;
 }
@@ -42,30 +53,45 @@ function lendWorker(): DrawingWorker {
   const borrower = {};
   return {
     worker: workers.lend(borrower, startSharedWorker),
+    isShared: true,
     giveBack: () => workers.giveBack(borrower),
   };
 }
 
-async function startRenderer(): Promise<SharedRenderer | null> {
+async function startRenderer(): Promise<PageRenderer | null> {
   const canvas = newCanvas(1, 1);
   const context = startWebGl(canvas);
   if (!context) return null;
   const { SharedRenderer } = await import('./model-scenes.js');
-  return new SharedRenderer(canvas, context);
+  return { canvas, renderer: new SharedRenderer(canvas, context) };
 }
 
-/** One worker with one WebGL context for all models of the page that are drawn there; so does the page without a worker. */
+/** A screen on a canvas of the page, to which what the page's own renderer has drawn is copied. */
+function copyingScreen({ canvas, renderer }: PageRenderer, target: HTMLCanvasElement): ModelScreen {
+  const context = target.getContext('2d');
+  return renderer.newScreen(() => {
+    // Setting the size clears the canvas, too.
+    [target.width, target.height] = [canvas.width, canvas.height];
+    context?.drawImage(canvas, 0, 0);
+  });
+}
+
+/** One worker with one WebGL context for all models of the page that are drawn there, or else one context of the page. */
 export const sharedPlaces: ModelPlaces = {
   worker: lendWorker,
   async here(canvas, listener) {
-    const renderer = await renderers.lend(canvas, startRenderer);
-    const screen = renderer?.screenOn(canvas);
-    if (!screen) {
+    const started = renderers.lend(canvas, startRenderer);
+    const page = await started.catch((error: unknown) => {
+      // Whoever comes later may have more luck with the network.
+      renderers.discard(started);
+      throw error;
+    });
+    if (!page) {
       renderers.giveBack(canvas);
       return null;
     }
     const { ModelScene } = await import('./model-scenes.js');
-    const scene = new ModelScene(screen, listener);
+    const scene = new ModelScene(copyingScreen(page, canvas), listener);
     return (message) => {
       scene.take(message);
       if (message.type === 'end') renderers.giveBack(canvas);

@@ -9,7 +9,7 @@ export interface ModelScreen {
   readonly isInSoftware: boolean;
   /** Compiles what a scene needs, so that its first model does not have to wait for it. */
   prepare(scene: Scene, camera: Camera): void;
-  /** The canvas is empty then. */
+  /** What was drawn may be gone then. */
   resize(size: PictureSize): void;
   draw(scene: Scene, camera: Camera): void;
   /** @param redraw is called when what was drawn is lost and can be drawn anew */
@@ -22,6 +22,12 @@ export function rendererOn(canvas: AnyCanvas, context: WebGL2RenderingContext): 
   const renderer = new WebGLRenderer({ canvas, context });
   renderer.setClearAlpha(0);
   return renderer;
+}
+
+/** Ends a renderer with its context: browsers bear few at a time, and free those of lost canvases late. */
+export function endRenderer(renderer: WebGLRenderer): void {
+  renderer.dispose();
+  renderer.forceContextLoss();
 }
 
 /** A canvas with a WebGL context of its own. */
@@ -54,9 +60,7 @@ export class OwnScreen implements ModelScreen {
     this.canvas.addEventListener('webglcontextrestored', redraw);
   }
 
-  /** Browsers bear few contexts at a time, and free those of lost canvases late. */
   end(): void {
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    endRenderer(this.renderer);
   }
 }

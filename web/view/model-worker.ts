@@ -1,29 +1,35 @@
-/** Entry of a worker that draws a model with the WebGL context of its canvas, or models of many with one context. */
-import { newCanvas } from './context-2d.js';
+/** Entry of a worker that draws a model on a canvas, or pictures of any number of models with one WebGL context. */
 import { serveDrawings } from './drawing-worker.js';
-import { sharedWorkerName, type ModelAnswer, type ModelMessage } from './model-message.js';
+import type { ModelAnswer, ModelMessage } from './model-message.js';
 import { ModelScene } from './model-scene.js';
 import { OwnScreen, type ModelScreen } from './model-screen.js';
 import { SharedRenderer } from './shared-renderer.js';
 import { startWebGl } from './webgl.js';
 
-function screenOfItsOwn(canvas: OffscreenCanvas): ModelScreen | null {
+/** What pictures are drawn on. */
+const hidden = new OffscreenCanvas(1, 1);
+
+/** Started with the first model of which pictures are asked for; null where there is no WebGL 2. */
+let renderer: SharedRenderer | null | undefined;
+
+function sharedRenderer(): SharedRenderer | null {
+  if (renderer !== undefined) return renderer;
+  const context = startWebGl(hidden);
+  renderer = context && new SharedRenderer(hidden, context);
+  return renderer;
+}
+
+function sharedScreen(show: (picture: ImageBitmap) => void): ModelScreen | null {
+  return sharedRenderer()?.newScreen(() => show(hidden.transferToImageBitmap())) ?? null;
+}
+
+function ownScreen(canvas: OffscreenCanvas): ModelScreen | null {
   const context = startWebGl(canvas);
   return context && new OwnScreen(canvas, context);
 }
 
-/** What makes screens that share a context. */
-function sharing(): (canvas: OffscreenCanvas) => ModelScreen | null {
-  const canvas = newCanvas(1, 1);
-  const context = startWebGl(canvas);
-  const renderer = context && new SharedRenderer(canvas, context);
-  return (target) => renderer?.screenOn(target) ?? null;
-}
-
-const screenOn = self.name === sharedWorkerName ? sharing() : screenOfItsOwn;
-
 serveDrawings<ModelMessage, ModelAnswer>((canvas, listener) => {
-  const screen = screenOn(canvas);
+  const screen = canvas ? ownScreen(canvas) : sharedScreen((picture) => listener.show(picture));
   if (!screen) return null;
   const scene = new ModelScene(screen, listener);
   return (message) => scene.take(message);

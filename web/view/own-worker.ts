@@ -4,5 +4,5 @@ import type { DrawingWorker } from './drawing.js';
 /** Starts a worker from a module at an absolute address that draws one drawing alone, and ends with it. */
 export function ownWorker(address: string): DrawingWorker {
   const worker = startModuleWorker(address);
-  return { worker, giveBack: () => worker.terminate() };
+  return { worker, isShared: false, giveBack: () => worker.terminate() };
 }

@@ -3,6 +3,6 @@ import { serveDrawings } from './drawing-worker.js';
 import { Painter, type PictureMessage } from './painter.js';
 
 serveDrawings<PictureMessage>((canvas) => {
-  const painter = new Painter(canvas);
-  return (message) => painter.take(message);
+  const painter = canvas && new Painter(canvas);
+  return painter && ((message) => painter.take(message));
 });

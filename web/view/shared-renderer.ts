@@ -1,23 +1,22 @@
 import type { Camera, Scene, WebGLRenderer } from 'three';
-import type { AnyCanvas, Canvas2d, Context2d } from './context-2d.js';
-import { rendererOn, type ModelScreen } from './model-screen.js';
+import type { AnyCanvas } from './context-2d.js';
+import { endRenderer, rendererOn, type ModelScreen } from './model-screen.js';
 import type { PictureSize } from './picture-size.js';
 import { drawsInSoftware } from './webgl.js';
 
 /**
  * One WebGL context for any number of screens: browsers bear about sixteen contexts and take the oldest away. Scenes
- * are drawn in turn on a canvas that nobody sees, as large as the largest screen, and copied to their own.
+ * are drawn in turn on a canvas that nobody sees.
  */
 export class SharedRenderer {
   readonly isInSoftware: boolean;
   private readonly renderer: WebGLRenderer;
   private readonly screens = new Set<SharedScreen>();
-  /** Of what is drawn on. */
   private size: PictureSize = { width: 0, height: 0, density: 1 };
 
   /** @param canvas is on no page */
   constructor(
-    readonly canvas: AnyCanvas,
+    canvas: AnyCanvas,
     private readonly context: WebGL2RenderingContext,
   ) {
     this.isInSoftware = drawsInSoftware(context);
@@ -27,12 +26,9 @@ export class SharedRenderer {
     });
   }
 
-  /** Null where nothing can be copied to a canvas. */
-  screenOn(canvas: AnyCanvas): ModelScreen | null {
-    const drawn: Canvas2d = canvas;
-    const context = drawn.getContext('2d');
-    if (!context) return null;
-    const screen = new SharedScreen(this, canvas, context);
+  /** @param show takes what is on the canvas to where it is seen, at once: the next scene overwrites it */
+  newScreen(show: () => void): ModelScreen {
+    const screen = new SharedScreen(this, show);
     this.screens.add(screen);
     return screen;
   }
@@ -41,15 +37,16 @@ export class SharedRenderer {
     this.renderer.compile(scene, camera);
   }
 
-  /** Draws a scene in the lower left corner, where it stays until the next one is drawn; whether it could. */
-  draw(scene: Scene, camera: Camera, { width, height, density }: PictureSize): boolean {
+  /** Fills the canvas with a scene; false while the context is lost. */
+  draw(scene: Scene, camera: Camera, size: PictureSize): boolean {
     if (this.context.isContextLost()) return false;
-    this.fit(density);
-    const { renderer } = this;
-    renderer.setViewport(0, 0, width, height);
-    // A scene clears no more than it fills.
-    renderer.setScissor(0, 0, width, height);
-    renderer.setScissorTest(true);
+    const { width, height, density } = size;
+    const { renderer, size: last } = this;
+    // Memory of the graphics card is taken anew with each size; pictures side by side mostly have the same.
+    if (last.width !== width || last.height !== height || last.density !== density) {
+      renderer.setDrawingBufferSize(width, height, density);
+      this.size = size;
+    }
     renderer.render(scene, camera);
     return true;
   }
@@ -59,38 +56,23 @@ export class SharedRenderer {
     this.screens.delete(screen);
   }
 
-  /** Frees the context at once, which browsers do late. */
   end(): void {
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
-  }
-
-  /** Gives every screen room, and takes no new memory of the graphics card unless it has to. */
-  private fit(density: number): void {
-    const sizes = [...this.screens].map(({ size }) => size);
-    const width = Math.max(...sizes.map((size) => size.width));
-    const height = Math.max(...sizes.map((size) => size.height));
-    const { size } = this;
-    if (size.width === width && size.height === height && size.density === density) return;
-    this.size = { width, height, density };
-    this.renderer.setDrawingBufferSize(width, height, density);
+    endRenderer(this.renderer);
   }
 }
 
-/** A canvas to which pictures of a scene are copied. */
+/** Where pictures of one scene are taken to. */
 class SharedScreen implements ModelScreen {
-  readonly isInSoftware: boolean;
-  size: PictureSize = { width: 0, height: 0, density: 1 };
   redraw: () => void = () => undefined;
+  private size: PictureSize = { width: 0, height: 0, density: 1 };
 
   constructor(
     private readonly renderer: SharedRenderer,
-    private readonly canvas: AnyCanvas,
-    private readonly context: Context2d,
-  ) {
-    this.isInSoftware = renderer.isInSoftware;
-    // Where the graphics card has this canvas as well, it is lost with the context.
-    canvas.addEventListener('contextrestored', () => this.redraw());
+    private readonly show: () => void,
+  ) {}
+
+  get isInSoftware(): boolean {
+    return this.renderer.isInSoftware;
   }
 
   prepare(scene: Scene, camera: Camera): void {
@@ -99,18 +81,11 @@ class SharedScreen implements ModelScreen {
 
   resize(size: PictureSize): void {
     this.size = size;
-    this.canvas.width = Math.floor(size.width * size.density);
-    this.canvas.height = Math.floor(size.height * size.density);
   }
 
+  /** While the context is lost, what was drawn last stays to be seen. */
   draw(scene: Scene, camera: Camera): void {
-    const { canvas, context, renderer } = this;
-    // While the context is lost, what was drawn last stays to be seen.
-    if (!renderer.draw(scene, camera, this.size)) return;
-    const { width, height } = canvas;
-    const top = renderer.canvas.height - height;
-    context.clearRect(0, 0, width, height);
-    context.drawImage(renderer.canvas, 0, top, width, height, 0, 0, width, height);
+    if (this.renderer.draw(scene, camera, this.size)) this.show();
   }
 
   onRestored(redraw: () => void): void {
