@@ -47,15 +47,15 @@ function noteResources(): void {
       );
     }
   }
-  const [make, revoke] = [URL.createObjectURL, URL.revokeObjectURL];
+  const [make, revoke] = [URL.createObjectURL.bind(URL), URL.revokeObjectURL.bind(URL)];
   URL.createObjectURL = (blob: Blob) => {
-    const address = make.call(URL, blob);
+    const address = make(blob);
     note.blobs.set(address, blob);
     return address;
   };
   URL.revokeObjectURL = (address) => {
     note.blobs.delete(address);
-    revoke.call(URL, address);
+    revoke(address);
   };
 }
 

@@ -40,9 +40,10 @@ async function picturesOf(page: Page, wanted = count): Promise<Buffer[]> {
   const pictures: Buffer[] = [];
   const viewers = await page.locator('foldwright-viewer').all();
   for (const viewer of viewers.slice(0, wanted)) {
-    const picture = (): Promise<Buffer> => viewer.locator('canvas').screenshot();
-    await expect.poll(async () => (await picture()).length).toBeGreaterThan(blank);
-    pictures.push(await picture());
+    const canvas = viewer.locator('canvas');
+    let picture = await canvas.screenshot();
+    while (picture.length < blank) picture = await canvas.screenshot();
+    pictures.push(picture);
   }
   return pictures;
 }
@@ -63,7 +64,9 @@ async function withCatalogue(
     await watchResources(page);
     await page.addInitScript(script);
   };
-  await withViewerPage('', { 'ring.fold': fold, 'ring.obj': ring }, work, { prepare });
+  await withViewerPage('<h1>A catalogue</h1>', { 'ring.fold': fold, 'ring.obj': ring }, work, {
+    prepare,
+  });
 }
 
 function foldAll(page: Page, time: number): Promise<void> {
@@ -157,10 +160,11 @@ test('a viewer that cannot be drawn leaves all others as they are', () =>
     await addViewers(page, [1, 3]);
     const before = await picturesOf(page);
     await page.evaluate(() => {
-      const { postMessage } = MessagePort.prototype;
-      MessagePort.prototype.postMessage = function (message: { type?: string; pieces?: unknown }) {
+      type Post = (this: MessagePort, message: { type?: string; pieces?: unknown }) => void;
+      const own = Reflect.get(MessagePort.prototype, 'postMessage') as Post;
+      MessagePort.prototype.postMessage = function (message: Parameters<Post>[0]) {
         if (message.type === 'folding') message.pieces = [{}];
-        postMessage.call(this, message);
+        own.call(this, message);
       };
     });
     await addViewers(page, [5]);
@@ -200,7 +204,7 @@ test('ten viewers that were shown, moved and removed leave nothing behind, twice
   withCatalogue(async ({ page, host, complaints }) => {
     const devtools = await page.context().newCDPSession(page);
     // What drives the page listens itself from its first look on.
-    await page.locator('body').screenshot();
+    await page.locator('h1').screenshot();
     const before = await resourcesOf(page, devtools);
     const folded = all.slice(0, 7);
     for (let round = 0; round < 2; ++round) {
