@@ -1,4 +1,6 @@
 /** Colours as files have them, as screens show them (sRGB, 0 to 255). */
+import { shownOf } from '../model/srgb.js';
+
 export type Colour = readonly [number, number, number];
 
 export const white: Colour = [255, 255, 255];
@@ -14,12 +16,7 @@ export function ofShown(shares: readonly number[]): Colour {
   return [byteOf(red), byteOf(green), byteOf(blue)];
 }
 
-/** A share of light as it is shown (IEC 61966-2-1). */
-function shown(light: number): number {
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
-}
-
 /** Of shares of light (linear), from 0 to 1. */
 export function ofLight(shares: readonly number[]): Colour {
-  return ofShown(shares.slice(0, 3).map(shown));
+  return ofShown(shares.slice(0, 3).map(shownOf));
 }

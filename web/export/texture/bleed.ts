@@ -91,7 +91,8 @@ class RowSearch {
 export function bleed(grid: Grid, rgba: Uint8Array, covered: Uint8Array, reach: number): void {
   const colours = new Uint32Array(rgba.buffer, rgba.byteOffset, grid.width * grid.height);
   const search = new RowSearch(grid, nearestRows(grid, covered));
-  const farthest = (reach * grid.density) ** 2;
+  // From the middle of the nearest dot, which may lie almost a whole dot within the outline.
+  const farthest = (reach * grid.density + 1) ** 2;
   for (let row = 0; row < grid.height; ++row) {
     search.search(row, (dot, nearest, square) => {
       if (covered[dot] === 1) return;

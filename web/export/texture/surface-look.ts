@@ -1,5 +1,6 @@
 import type { Looks, Material } from '../../model/looks.js';
 import { dot, length, minus, vectorAt, type Vector } from '../../model/vector.js';
+import { lightOf, shownOf } from '../../model/srgb.js';
 import { footprintOf } from './footprint.js';
 import type { Raster } from './raster.js';
 import { Sampler, type Footprint } from './sampler.js';
@@ -24,6 +25,9 @@ const white: readonly [number, number, number] = [255, 255, 255];
 
 /** Places so many pixels beyond a picture are errors of a file; single precision could not tell neighbours apart there. */
 const farthest = 1e9;
+
+/** Light of each value that a colour of a corner can have. */
+const lights = Float64Array.from({ length: 256 }, (_, value) => lightOf(value / 255));
 
 /** A face in its plane: the length of its first side, and the third corner along and beside it; mm. */
 function flatten({ vertices, faces }: Surface, face: number): [number, number, number] {
@@ -82,19 +86,28 @@ export class SurfaceLook {
   colourAt(face: number, b: number, c: number, colour: Float64Array): void {
     const a = 1 - b - c;
     colour.set(this.looks.materials[this.materialNumber(face)]?.colour ?? white);
-    const { colours } = this.looks.surface;
-    if (colours) {
-      for (let i = 0; i < 3; ++i) {
-        const at = 9 * face + i;
-        colour[i]! *= (a * colours[at]! + b * colours[at + 3]! + c * colours[at + 6]!) / 255;
-      }
-    }
+    this.tintByCorners(face, b, c, colour);
     const place = this.placeOf(face);
     if (!place) return;
     const { sampler, footprint, corners } = place;
     const x = a * corners[0] + b * corners[2] + c * corners[4];
     const y = a * corners[1] + b * corners[3] + c * corners[5];
     sampler.tint(x, y, footprint, colour);
+  }
+
+  /** Colours between corners mix as light does, on paper as on the screen and in other programs. */
+  private tintByCorners(face: number, b: number, c: number, colour: Float64Array): void {
+    const { colours } = this.looks.surface;
+    if (!colours) return;
+    for (let i = 0; i < 3; ++i) {
+      const at = 9 * face + i;
+      const [first, second, third] = [colours[at]!, colours[at + 3]!, colours[at + 6]!];
+      if (first === second && second === third) colour[i]! *= first / 255;
+      else {
+        const light = (1 - b - c) * lights[first]! + b * lights[second]! + c * lights[third]!;
+        colour[i]! *= shownOf(light);
+      }
+    }
   }
 
   private materialNumber(face: number): number {
