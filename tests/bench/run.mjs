@@ -1,6 +1,6 @@
 // Runs the engine's benchmarks, native and WASM in turn in one run, and prints them side by side with what is aimed at.
 // With --full also both solvers on small models, which takes minutes, the paper's studies, parts and paper over the
-// organic models, growth in Chromium, and the whole corpus, as nets and on sheets. Takes the builds as they are: `npm run bench` makes them first.
+// organic models, growth in Chromium, and the whole corpus, as nets, on sheets and in colours. Takes the builds as they are: `npm run bench` makes them first.
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
@@ -97,5 +97,6 @@ if (process.argv.includes('--full')) {
   run(process.execPath, ['tests/bench/corpus.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/sheets.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/damaged.mjs'], 'inherit');
+  run(process.execPath, ['tests/bench/texture.mjs'], 'inherit');
   run(process.execPath, ['tests/bench/auto.mjs'], 'inherit');
 }
