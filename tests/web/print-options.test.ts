@@ -70,6 +70,7 @@ describe('print options', () => {
     ['--fold-ticks', 'on', '--duplex', 'on'],
     ['--texture', 'off', '--colour', 'part', '--flap-bleed', 'whole'],
     ['--texture', 'on', '--flap-bleed', 'none'],
+    ['--shading', 'on', '--colour', 'part'],
   ])('can be written down and read again', (...args) => {
     const looks = optionsOf(...args);
     const again = changedSettings(defaultSettings(), lookOptions(looks));

@@ -40,10 +40,15 @@ function pauses(signal: AbortSignal | undefined): () => Promise<void> {
   };
 }
 
+/** What a job tells of a model before all else. */
+interface ToldModel {
+  event: ModelEvent;
+  repairs: Message[];
+}
+
 async function inspectionOf(
   opened: OpenedModel,
-  { file, vertices, faces }: ModelEvent,
-  repairs: Message[],
+  { event: { file, vertices, faces }, repairs }: ToldModel,
   signal: AbortSignal | undefined,
 ): Promise<Inspection> {
   const { components, ofFaces } = await componentsOf(vertices, faces, pauses(signal));
@@ -58,33 +63,52 @@ async function inspectionOf(
   };
 }
 
-/**
- * Reads, repairs and simplifies a model as a run with these options would: with a job that is ended as soon as it
- * has told of the model. The workers are free again shortly afterwards.
- *
- * Rejects with a `JobError` for a model that cannot be read or used, and with the signal's reason at once after an
- * abort.
- */
-export function inspectModel(
+/** Reads, repairs and simplifies a model as a run would: with a job that is ended as soon as it has told of the model. */
+function toldModel(
   opened: OpenedModel,
   options: JobOptions,
-  signal?: AbortSignal,
-): Promise<Inspection> {
+  signal: AbortSignal | undefined,
+): Promise<ToldModel> {
   const end = new AbortController();
   const stop = (): void => end.abort(signal?.reason);
   signal?.throwIfAborted();
   signal?.addEventListener('abort', stop, { once: true });
-  return new Promise<Inspection>((resolve, reject) => {
+  return new Promise<ToldModel>((resolve, reject) => {
     const repairs: Message[] = [];
     const onEvent = (event: TimedEvent): void => {
       if (end.signal.aborted) return;
       if (event.type === 'notice') repairs.push({ code: event.code, params: event.params });
       if (event.type !== 'model') return;
       // Repairs are told before the model, and nothing else is wanted of the job.
-      resolve(inspectionOf(opened, event, repairs, signal));
+      resolve({ event, repairs });
       end.abort();
     };
     // After the model was told the rejection is that of the end, and nobody hears it.
     opened.run(options, { signal: end.signal, onEvent }).catch(reject);
   }).finally(() => signal?.removeEventListener('abort', stop));
+}
+
+/**
+ * Reads, repairs and simplifies a model as a run with these options would. The workers are free again shortly
+ * afterwards.
+ *
+ * Rejects with a `JobError` for a model that cannot be read or used, and with the signal's reason at once after an
+ * abort.
+ */
+export async function inspectModel(
+  opened: OpenedModel,
+  options: JobOptions,
+  signal?: AbortSignal,
+): Promise<Inspection> {
+  return inspectionOf(opened, await toldModel(opened, options, signal), signal);
+}
+
+/** The model as a run with these options has it before it is simplified; in units of the file, y is up. */
+export async function wholeModel(
+  opened: OpenedModel,
+  options: JobOptions,
+  signal?: AbortSignal,
+): Promise<Inspection['model']> {
+  const { event } = await toldModel(opened, { ...options, faces: 0 }, signal);
+  return { vertices: event.vertices, faces: event.faces };
 }

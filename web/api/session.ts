@@ -7,8 +7,8 @@ import type { FontLoader } from '../export/font-loader.js';
 import type { RendererLoader } from '../export/renderer-loader.js';
 import type { ExportFormat, WrittenFile } from '../export/formats.js';
 import type { Print } from '../export/print.js';
-import { makeReport, type Report } from '../export/report.js';
-import { echo, type Settings } from '../model/options.js';
+import type { Report } from '../export/report.js';
+import type { Settings } from '../model/options.js';
 import type { DocumentEdit } from '../model/document-edits.js';
 import { netKey, startAgain, startFrom } from '../model/edits.js';
 import type { JobResult, JobStart } from '../model/job.js';
@@ -29,13 +29,14 @@ import {
 import { beginningOf } from './file-nets.js';
 import { History, type Remake } from './history.js';
 import { inspectModel, type Inspection } from './inspect.js';
+import { LitResults } from './lit-results.js';
 import { OpenedModel } from './opened-model.js';
 import { OpenedProject } from './opened-project.js';
 import { readEdits } from './read-edits.js';
 import { outcome, together } from './run-outcome.js';
 import { savedState, savedSettings } from './saved-state.js';
+import { stateReport } from './state-report.js';
 import type { RunWork, WorkOptions } from './work.js';
-import { english } from '../words/en/index.js';
 
 /** What a session needs of where it runs. */
 export interface Surroundings {
@@ -69,6 +70,7 @@ export class Session {
   private fileName: string | null = null;
   private lastWork: Promise<unknown> = Promise.resolve();
   private readonly model: OpenedModel;
+  private readonly lit: LitResults;
   /** As the run was asked for. */
   private asked: Settings | null = null;
 
@@ -79,6 +81,7 @@ export class Session {
     read?: ReadProject,
   ) {
     this.model = new OpenedModel(files, surroundings.pool);
+    this.lit = new LitResults(this.model);
     if (read) this.reopen(new OpenedProject(this.model, read));
   }
 
@@ -119,7 +122,8 @@ export class Session {
 
   /** The result that undo leads to; null if there is none, or its memory was needed. @internal */
   get before(): JobResult | null {
-    return this.history?.before?.result ?? null;
+    const before = this.history?.before;
+    return before ? this.lit.asShown(before.result) : null;
   }
 
   /** The edits that redo would make again; null if there are none. */
@@ -212,12 +216,12 @@ export class Session {
 
   /** What came out, as plain data. Cost: none, unless it must be computed again. */
   result(work: WorkOptions = {}): Promise<TimedResult> {
-    return this.inTurn(async () => (await this.current(work)).result);
+    return this.inTurn(async () => (await this.shown(work)).result);
   }
 
   /** What was asked for and what came of it. Cost as `result`. @internal */
   state(work: WorkOptions = {}): Promise<DocumentState> {
-    return this.inTurn(() => this.current(work));
+    return this.inTurn(() => this.shown(work));
   }
 
   /** Draws all sheets, ready to be written in any format. @internal */
@@ -278,7 +282,7 @@ export class Session {
     const first: DocumentState = isWhole ? stateOf(result) : { wishes, result };
     const remake: Remake = async (_, more) => (isWhole ? stateOf(await run(more)) : first);
     this.history = new History([{ edits: [], remake, state: first, saved: savedState(first) }], 0, {
-      reportOf: (state) => this.reportOf(state),
+      reportOf: stateReport,
     });
     return this.history.report;
   }
@@ -299,7 +303,7 @@ export class Session {
       return { edits: steps[i - 1] ?? [], remake, state: null, saved: states[i] ?? null };
     });
     this.history = new History(all, cursor, {
-      reportOf: (state) => this.reportOf(state),
+      reportOf: stateReport,
       restore: async (saved, work) => {
         const state = await opened.restore(saved, work);
         if (state) this.fileName = state.result.file;
@@ -326,6 +330,11 @@ export class Session {
     return this.history.current(work);
   }
 
+  /** With all that its sheets are made of. */
+  private async shown(work: WorkOptions): Promise<DocumentState> {
+    return this.lit.of(await this.current(work), work);
+  }
+
   private async printed(
     options: Options,
     work: WorkOptions,
@@ -334,16 +343,17 @@ export class Session {
     const settings = changedSettings(before.wishes.settings, options);
     const wishes = { ...before.wishes, settings };
     const isSameJob = JSON.stringify(jobOf(wishes)) === JSON.stringify(jobOf(before.wishes));
-    const result = isSameJob
+    const laidOut = isSameJob
       ? before.result
       : await this.job(jobOf(wishes), startFrom(before.result, []), work);
+    const state = await this.lit.of({ wishes, result: laidOut }, work);
     const { margin } = settings;
     const { loadFont, loadRenderer } = this.surroundings;
     // Loaded when it is first asked for: who only edits does not draw.
     const { preparePrint } = await import('../export/print.js');
     const look = { title: this.title, margin, options: printOf(wishes) };
-    const print = await preparePrint({ result, ...look, loadFont, loadRenderer });
-    return { state: { wishes, result }, print };
+    const print = await preparePrint({ result: state.result, ...look, loadFont, loadRenderer });
+    return { state, print };
   }
 
   /** The state that a plan makes, or why the engine refuses. */
@@ -371,23 +381,6 @@ export class Session {
 
   private job(options: JobOptions, start: JobStart | null, work: RunWork): Promise<TimedResult> {
     return this.model.run(options, { ...work, ...(start && { start }) });
-  }
-
-  private reportOf({ wishes, result }: DocumentState): Report {
-    const options = Object.fromEntries(
-      Object.entries(echo(wishes.settings)).filter(([name]) => name !== 'workers'),
-    );
-    const job = jobOf(wishes);
-    return makeReport({
-      version,
-      options,
-      job,
-      files: [],
-      result,
-      printed: [],
-      seconds: result.seconds,
-      words: english,
-    });
   }
 
   private inTurn<Value>(work: () => Promise<Value>): Promise<Value> {

@@ -70,6 +70,7 @@ export const printOptionNames: ReadonlySet<string> = new Set([
   'dpi',
   'texture',
   'colour',
+  'shading',
   'flap-bleed',
 ] satisfies OptionName[]);
 
@@ -101,7 +102,7 @@ function parsed(name: string, value: unknown): unknown {
 /** The options that make sheets look so: the inverse of `printOptions`, but for what was measured. */
 export function lookOptions(print: PrintOptions): Options {
   const { assembly, duplex, lines, flatFold, foldAngles, foldTicks, legend, machine, dpi } = print;
-  const { texture, colour, flapBleed, thickness } = print;
+  const { texture, colour, shading, flapBleed, thickness } = print;
   const dash = (kind: 'mountain' | 'valley'): string => {
     const lengths = lines[kind]?.dash;
     if (!lengths) return 'style';
@@ -129,6 +130,7 @@ export function lookOptions(print: PrintOptions): Options {
     dpi,
     texture,
     colour,
+    shading: shading ? 'on' : 'off',
     flapBleed,
   };
 }

@@ -10,10 +10,11 @@ type Wish = Pick<PrintOptions, 'texture' | 'colour'>;
 
 const bleeds: readonly FlapBleed[] = ['none', 'half', 'whole'];
 
-/** The fields for colours on paper. */
+/** The fields for colours on paper, and for light and shade. */
 export class ColourFields extends Panel {
   private readonly colours = this.find('#print-colours', HTMLSelectElement);
   private readonly ofModel = this.find('#print-colours-model', HTMLOptionElement);
+  private readonly shading = this.find('#print-shading', HTMLInputElement);
   private readonly bleed = this.find('#print-flap-bleed', HTMLSelectElement);
   private readonly hint = this.find('#print-colours-hint', HTMLElement);
   /** What the document says, for as long as the choice is the one that shows it. */
@@ -26,28 +27,32 @@ export class ColourFields extends Panel {
   }
 
   /** @param hasLooks whether the model has colours or pictures */
-  fill({ texture, colour, flapBleed }: PrintOptions, hasLooks: boolean): void {
+  fill({ texture, colour, flapBleed, shading }: PrintOptions, hasLooks: boolean): void {
     this.wish = { texture, colour };
     this.hasLooks = hasLooks;
     this.ofModel.disabled = !hasLooks;
     this.colours.value = this.choiceOf(this.wish);
     this.bleed.value = flapBleed;
+    this.shading.checked = shading;
   }
 
-  read(): Wish & Pick<PrintOptions, 'flapBleed'> {
+  read(): Wish & Pick<PrintOptions, 'flapBleed' | 'shading'> {
     const flapBleed = bleeds.find((name) => name === this.bleed.value) ?? defaultPrint.flapBleed;
+    const others = { flapBleed, shading: this.shading.checked };
     const choice = this.colours.value;
-    if (choice === this.choiceOf(this.wish)) return { ...this.wish, flapBleed };
+    if (choice === this.choiceOf(this.wish)) return { ...this.wish, ...others };
     // A later model with colours shall show them, unless they were switched off.
     const texture = choice === 'none' && this.hasLooks ? 'off' : 'auto';
-    return { texture, colour: choice === 'part' ? 'part' : 'none', flapBleed };
+    return { texture, colour: choice === 'part' ? 'part' : 'none', ...others };
   }
 
   /** Says what colours come to with the other options. */
   explain(options: PrintOptions): void {
     const takesColours = printsTexture({ ...options, texture: 'on' });
     this.colours.disabled = !takesColours;
-    this.bleed.disabled = !takesColours || this.colours.value === 'none';
+    this.shading.disabled = !takesColours;
+    const isPlain = this.colours.value === 'none' && !this.shading.checked;
+    this.bleed.disabled = !takesColours || isPlain;
     this.hint.textContent = this.wordsFor(options, takesColours);
   }
 

@@ -59,6 +59,7 @@ const needs: Partial<Record<keyof Settings, Need[]>> = {
   dpi: [needsOutput('png', 'svg', 'pdf')],
   texture: [needsPrinter, needsOutput('svg', 'pdf', 'png')],
   colour: [needsScissors, needsOutput('svg', 'pdf', 'png')],
+  shading: [needsPrinter, needsOutput('svg', 'pdf', 'png')],
   'flap-bleed': [needsFlaps, needsPrinter],
 };
 

@@ -1,7 +1,9 @@
 import type { JobResult, Notice, Piece } from '../model/job.js';
+import { originalOf } from '../model/looks.js';
 import {
   isCalibrated,
   printsBacks,
+  printsShading,
   printsTexture,
   type Machine,
   type PrintOptions,
@@ -73,16 +75,22 @@ export function textsOf(sheets: readonly SheetDrawing[]): string[] {
   );
 }
 
-/** The pieces in the model's colours; none if they are not printed so. */
-async function drawImages(input: PrintInput): Promise<PieceImages> {
-  const { options, result, loadRenderer } = input;
-  const none: PieceImages = { images: new Map(), notices: [] };
-  if (!printsTexture(options)) return none;
-  if (result.looks) {
-    const { pieceImages } = await import('./texture/piece-images.js');
-    return pieceImages(result, result.looks, options, loadRenderer);
-  }
-  return options.texture === 'on' ? { ...none, notices: [{ code: 'no-looks', params: {} }] } : none;
+/** Whether the light of a result's surface is printed; not before the surface is there that it is taken from. */
+function isShaded(result: JobResult, options: PrintOptions): boolean {
+  return printsShading(options) && (result.deviation === 0 || originalOf(result) !== null);
+}
+
+/** The pieces in the model's colours and light; none if they are not printed so. */
+async function drawImages({ options, result, loadRenderer }: PrintInput): Promise<PieceImages> {
+  const takesLooks = printsTexture(options);
+  const looks = (takesLooks && result.looks) || null;
+  const wish = { looks, isShaded: isShaded(result, options), options };
+  const notices: Notice[] =
+    takesLooks && !looks && options.texture === 'on' ? [{ code: 'no-looks', params: {} }] : [];
+  if (!looks && !wish.isShaded) return { images: new Map(), notices };
+  const { pieceImages } = await import('./texture/piece-images.js');
+  const made = await pieceImages(result, wish, loadRenderer);
+  return { ...made, notices: [...notices, ...made.notices] };
 }
 
 function noteOf(sheet: number, count: number, { options, words }: Drawn): string {

@@ -3,7 +3,7 @@
  * name says otherwise; indices count from 0; typed arrays are copies that the receiver owns.
  */
 import type { PartName } from './job-options.js';
-import type { EngineLooks, Looks } from './looks.js';
+import type { EngineLooks, Looks, OriginalSurface } from './looks.js';
 import type { Message } from './message.js';
 import type { Stage } from './stages.js';
 
@@ -246,6 +246,8 @@ export interface JobResult {
   scale: number;
   /** Absent where the files say nothing of it, or nothing but white. */
   looks?: Looks;
+  /** The surface as it was before it was simplified, where its light is to be printed and the looks do not have it. */
+  original?: OriginalSurface;
   seams: NamedSeam[];
   flaps: FlapCounts;
   /**
@@ -260,7 +262,7 @@ export interface JobResult {
 }
 
 /** A result as the engine gives it, which does not know the files beside the model. */
-export type EngineResult = Omit<JobResult, 'looks'> & { looks?: EngineLooks };
+export type EngineResult = Omit<JobResult, 'looks' | 'original'> & { looks?: EngineLooks };
 
 /** The foldability matrix as a picture: rows and columns averaged down to at most 256. */
 export interface MatrixPicture {

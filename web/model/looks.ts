@@ -22,6 +22,20 @@ export interface LookedSurface {
   materials: Int32Array | null;
 }
 
+/** A surface at its finished size, in the coordinates of `JobResult.model`. */
+export type OriginalSurface = NonNullable<LookedSurface['original']>;
+
+/** The surface of a result's model as it was before it was simplified; null if it was not, or nobody has asked for it. */
+export function originalOf({
+  looks,
+  original,
+}: {
+  looks?: Looks;
+  original?: OriginalSurface;
+}): OriginalSurface | null {
+  return looks?.surface.original ?? original ?? null;
+}
+
 /** What a picture does beyond its edges. */
 export type Wrap = 'repeat' | 'mirror' | 'clamp';
 

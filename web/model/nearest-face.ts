@@ -107,6 +107,14 @@ export class NearestFace {
     return this.place.face < 0 ? null : this.place;
   }
 
+  /** The way from a point to the surface, whichever way that looks; `most` if it is longer. */
+  distance(point: Vector, most: number): number {
+    this.best = most * most;
+    this.place = { face: -1, b: 0, c: 0 };
+    this.descend(0, point, null);
+    return Math.sqrt(this.best);
+  }
+
   private build(from: number, to: number, boxes: number[]): void {
     const box = this.boxAround(from, to);
     const node = { from, to, second: 0 };
@@ -149,7 +157,7 @@ export class NearestFace {
     return dx * dx + dy * dy + dz * dz;
   }
 
-  private descend(node: number, point: Vector, normal: Vector): void {
+  private descend(node: number, point: Vector, normal: Vector | null): void {
     const { from, to, second } = this.nodes[node]!;
     if (second === 0) {
       for (let i = from; i < to; ++i) this.tryFace(this.order[i]!, point, normal);
@@ -162,7 +170,7 @@ export class NearestFace {
     if (Math.max(one, other) < this.best) this.descend(far, point, normal);
   }
 
-  private tryFace(face: number, point: Vector, normal: Vector): void {
+  private tryFace(face: number, point: Vector, normal: Vector | null): void {
     const { corners, shares } = this;
     const at = 9 * face;
     nearestShares(point, corners, at, shares);
@@ -173,7 +181,7 @@ export class NearestFace {
       const way = point[axis]! - p - b * (q - p) - c * (r - p);
       square += way * way;
     }
-    if (square >= this.best || !this.looksAlong(face, normal)) return;
+    if (square >= this.best || (normal && !this.looksAlong(face, normal))) return;
     this.best = square;
     this.place = { face, b, c };
   }

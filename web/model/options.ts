@@ -135,6 +135,7 @@ export const rows = {
   dpi: row('N', defaultPrint.dpi, whole(dpiRange.least, dpiRange.most)),
   texture: row('on|off|auto', defaultPrint.texture, choice(['on', 'off', 'auto'])),
   colour: row('NAME', defaultPrint.colour, choice(['part', 'none'])),
+  shading: row('on|off', 'off', choice(['on', 'off'])),
   'flap-bleed': row('NAME', defaultPrint.flapBleed, choice(['none', 'half', 'whole'])),
 } satisfies Record<string, Row<unknown>>;
 
@@ -217,6 +218,7 @@ export function printOptions(settings: Settings): PrintOptions {
     dpi: settings.dpi,
     texture: settings.texture,
     colour: settings.colour,
+    shading: settings.shading === 'on',
     flapBleed: settings['flap-bleed'],
   };
 }

@@ -55,6 +55,8 @@ export interface PrintOptions {
   texture: 'auto' | 'on' | 'off';
   /** Whether pieces are printed in the colours of their parts, unless those of the model are printed. */
   colour: 'part' | 'none';
+  /** Whether the light is printed that the surface has, of a simplified model that of the surface before. */
+  shading: boolean;
   flapBleed: FlapBleed;
 }
 
@@ -86,6 +88,7 @@ export const defaultPrint: Readonly<PrintOptions> = {
   dpi: 300,
   texture: 'auto',
   colour: 'none',
+  shading: false,
   flapBleed: 'half',
 };
 
@@ -100,12 +103,22 @@ export function printsBacks({ duplex, machine }: PrintOptions): boolean {
 }
 
 /**
- * Whether faces may have the model's looks. Silhouette's machines find the printed sheet by their marks and cut
- * along the lines upon it; that Cricut's program takes pictures in files is not known, and others would burn them.
+ * Whether sheets may have images. Silhouette's machines find the printed sheet by their marks and cut along the
+ * lines upon it; that Cricut's program takes pictures in files is not known, and others would burn them.
  */
+function takesImages(machine: Machine): boolean {
+  return machine === 'none' || machine === 'silhouette';
+}
+
+/** Whether faces may have the model's looks. */
 export function printsTexture({ colour, machine, texture }: PrintOptions): boolean {
-  if (machine !== 'none' && machine !== 'silhouette') return false;
+  if (!takesImages(machine)) return false;
   return texture === 'on' || (texture === 'auto' && colour === 'none');
+}
+
+/** Whether faces may have the light of the model's surface. */
+export function printsShading({ machine, shading }: PrintOptions): boolean {
+  return shading && takesImages(machine);
 }
 
 /** Whether pieces may have the colours of their parts: machines would cut along the edges of areas. */

@@ -71,9 +71,10 @@ export class PiecePainter {
     for (const flap of bledFlaps(piece, this.plan.flapBleed)) {
       coverConvex(grid, flap, bleedReach, (dot) => (covered[dot] = 2));
     }
+    const plain = this.plan.colourOf(piece);
     for (let face = 0; face < piece.sources.length; ++face) {
       const triangle = [0, 1, 2].map((i) => placeOf(piece, piece.faces[3 * face + i]!));
-      const look = this.map.lookOf(piece.sources[face]!);
+      const look = this.map.lookOf(piece.sources[face]!, plain);
       coverTriangle(grid, triangle as [Point, Point, Point], (dot, b, c) => {
         const colour = look(b, c);
         for (let i = 0; i < 3; ++i) rgba[4 * dot + i] = Math.round(colour[i]!);

@@ -1,9 +1,10 @@
 import type { JobResult, Notice, Piece } from '../../model/job.js';
-import type { Looks } from '../../model/looks.js';
-import type { PrintOptions } from '../../model/print-options.js';
+import { originalOf, type Looks } from '../../model/looks.js';
+import { partRgb } from '../../model/part-colours.js';
+import { printsPartColours, type PrintOptions } from '../../model/print-options.js';
 import type { RendererLoader } from '../renderer-loader.js';
 import type { Grid } from './cover.js';
-import { loadPictures } from './load-pictures.js';
+import { loadPictures, type LoadedPictures } from './load-pictures.js';
 import { PiecePainter, type PaintedPiece } from './paint-piece.js';
 import { pngFile } from './png-file.js';
 
@@ -30,14 +31,30 @@ export interface PieceImages {
   notices: Notice[];
 }
 
+/** What is printed on the pieces of a result. */
+export interface ImageWish {
+  /** None where faces have the colours of their parts, or those of paper. */
+  looks: Looks | null;
+  isShaded: boolean;
+  options: PrintOptions;
+}
+
+const white = [255, 255, 255] as const;
+
 async function makeImages(
   result: JobResult,
-  looks: Looks,
-  { dpi, flapBleed }: PrintOptions,
+  { looks, isShaded, options }: ImageWish,
   loadRenderer: RendererLoader,
 ): Promise<PieceImages> {
-  const { pictures, notices } = await loadPictures(looks, loadRenderer);
-  const painter = new PiecePainter({ model: result.model, looks, pictures, dpi, flapBleed });
+  const { dpi, flapBleed } = options;
+  const none: LoadedPictures = { pictures: [], notices: [] };
+  const { pictures, notices } = looks ? await loadPictures(looks, loadRenderer) : none;
+  const { model } = result;
+  const original = originalOf(result);
+  const colourOf = ({ part }: Piece): readonly number[] =>
+    printsPartColours(options) ? partRgb(part) : white;
+  const plan = { model, original, looks, pictures, isShaded, colourOf, dpi, flapBleed };
+  const painter = new PiecePainter(plan);
   const images = result.pieces.map((piece): [Piece, PieceImage] => {
     const { height } = result.sheets[piece.sheet]!;
     const grid = painter.gridOf(piece, height);
@@ -51,17 +68,17 @@ const known = new WeakMap<JobResult, { key: string; made: Promise<PieceImages> }
 
 const isPassing = ({ code }: Notice): boolean => code === 'pictures-not-loaded';
 
-/** The pieces of a result in the model's colours, of which it must have some. */
+/** The pieces of a result in the colours of the model, or in its light, or both. */
 export function pieceImages(
   result: JobResult,
-  looks: Looks,
-  options: PrintOptions,
+  wish: ImageWish,
   loadRenderer: RendererLoader,
 ): Promise<PieceImages> {
-  const key = JSON.stringify([options.dpi, options.flapBleed]);
+  const { dpi, flapBleed, colour, machine } = wish.options;
+  const key = JSON.stringify([!wish.looks, wish.isShaded, dpi, flapBleed, colour, machine]);
   const before = known.get(result);
   if (before?.key === key) return before.made;
-  const made = makeImages(result, looks, options, loadRenderer);
+  const made = makeImages(result, wish, loadRenderer);
   known.set(result, { key, made });
   // Another try may succeed.
   const forget = (): boolean => known.delete(result);

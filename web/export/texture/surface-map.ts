@@ -1,5 +1,6 @@
 import { cornersOf, NearestFace, normalAt } from '../../model/nearest-face.js';
 import type { PaintPlan } from './paint-plan.js';
+import { shadeAt, shadesOf } from './shading.js';
 import { SurfaceLook, type Surface } from './surface-look.js';
 
 /** The colour of a face at shares of its second and third corner; the array is used again. */
@@ -7,29 +8,44 @@ export type FaceColour = (b: number, c: number) => Float64Array;
 
 /** Tells the colours of the model's faces, from its own surface or from the one before it was simplified. */
 export class SurfaceMap {
-  private readonly look: SurfaceLook;
+  private readonly look: SurfaceLook | null;
+  /** Three per face of the surface that is shown; null if it has no light of its own. */
+  private readonly shades: Float32Array | null;
   private readonly original: NearestFace | null;
   private readonly model: Surface;
   private readonly colour = new Float64Array(3);
 
-  constructor({ model, looks, pictures, dpi }: PaintPlan) {
-    const { original } = looks.surface;
+  constructor({ model, original, looks, pictures, dpi, isShaded }: PaintPlan) {
+    const shown = original ?? model;
     this.model = model;
-    this.look = new SurfaceLook(original ?? model, looks, pictures, 25.4 / dpi);
+    this.look = looks && new SurfaceLook(shown, looks, pictures, 25.4 / dpi);
+    this.shades = isShaded ? shadesOf(shown) : null;
     this.original = original && new NearestFace(original);
   }
 
-  lookOf(face: number): FaceColour {
-    const { colour, original } = this;
-    if (original) return this.lookOnOriginal(face, original);
-    return (b, c) => {
-      this.look.colourAt(face, b, c, colour);
-      return colour;
-    };
+  /** @param plain where the surface has no looks */
+  lookOf(face: number, plain: readonly number[]): FaceColour {
+    const { original } = this;
+    if (original) return this.lookOnOriginal(face, original, plain);
+    return (b, c) => this.colourAt(face, b, c, plain);
+  }
+
+  private colourAt(face: number, b: number, c: number, plain: readonly number[]): Float64Array {
+    const { colour, look, shades } = this;
+    if (look) look.colourAt(face, b, c, colour);
+    else colour.set(plain);
+    if (!shades) return colour;
+    const shade = shadeAt(shades, face, b, c);
+    for (let i = 0; i < 3; ++i) colour[i]! *= shade;
+    return colour;
   }
 
   /** What lies nearest on the original, of all that looks the same way. */
-  private lookOnOriginal(face: number, original: NearestFace): FaceColour {
+  private lookOnOriginal(
+    face: number,
+    original: NearestFace,
+    plain: readonly number[],
+  ): FaceColour {
     const { colour, model } = this;
     const corners = cornersOf({ ...model, faces: model.faces.subarray(3 * face, 3 * face + 3) });
     const normal = normalAt(corners, 0);
@@ -42,8 +58,7 @@ export class SurfaceMap {
       const place = original.find([x, y, z], normal, hint);
       if (!place) return colour.fill(255);
       hint = place.face;
-      this.look.colourAt(place.face, place.b, place.c, colour);
-      return colour;
+      return this.colourAt(place.face, place.b, place.c, plain);
     };
   }
 }

@@ -130,5 +130,7 @@ export const optionHelp: Words['optionHelp'] = {
     'Flächen in den Farben und Bildern des Modells drucken; auto: wo es welche hat, ohne --colour part',
   colour:
     'part: jedes Teil in der Farbe seines Abschnitts drucken, wenn nicht --texture on im Modell welche findet',
+  shading:
+    'on: Licht und Schatten der Oberfläche drucken, bei vereinfachten Modellen die von vorher, sodass kleine Formen auch ohne Falten zu sehen sind',
   'flap-bleed': 'wie viel einer Lasche die Farben ihrer Fläche bekommt: none, half oder whole',
 };

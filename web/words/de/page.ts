@@ -303,6 +303,7 @@ export const page: Words['page'] = {
     bleedNone: 'Nichts',
     bleedHalf: 'Die Hälfte an der Falte',
     bleedWhole: 'Alles',
+    shading: 'Licht und Schatten des Modells',
     style: 'Linien sehen aus wie bei',
     styleBlender: 'Papiermodellen aus Blender',
     flaps: 'Laschen in Grau',

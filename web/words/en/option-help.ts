@@ -70,5 +70,7 @@ export const optionHelp: Record<keyof Settings, string> = {
     'print faces in the colours and pictures of the model; auto: where it has some, without --colour part',
   colour:
     'part: print each piece in the colour of its part, unless --texture on finds some in the model',
+  shading:
+    'on: print the light and shade of the surface, of a simplified model those of the surface before, so that small shapes are seen without folds',
   'flap-bleed': 'how much of a flap gets the colours of its face: none, half or whole',
 };

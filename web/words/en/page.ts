@@ -302,6 +302,7 @@ export const page = {
     bleedNone: 'Nothing',
     bleedHalf: 'Half, next to the fold',
     bleedWhole: 'All',
+    shading: 'light and shade of the model',
     style: 'Lines look like those of',
     styleBlender: 'Blender’s paper models',
     flaps: 'flaps in grey',

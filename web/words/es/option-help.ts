@@ -74,6 +74,8 @@ export const optionHelp: Words['optionHelp'] = {
     'imprimir las caras con los colores e imágenes del modelo; auto: donde los haya, sin --colour part',
   colour:
     'part: imprimir cada pieza en el color de su parte, salvo que --texture on encuentre colores en el modelo',
+  shading:
+    'on: imprimir las luces y sombras de la superficie; en un modelo simplificado, las de la superficie de antes, para que los detalles se vean sin pliegues',
   'flap-bleed':
     'cuánto de una pestaña lleva los colores de su cara: none (nada), half (la mitad) o whole (todo)',
 };

@@ -304,6 +304,7 @@ export const page: Words['page'] = {
     bleedNone: 'Nada',
     bleedHalf: 'La mitad, junto al pliegue',
     bleedWhole: 'Todo',
+    shading: 'luces y sombras del modelo',
     style: 'Líneas como las de',
     styleBlender: 'los modelos de Blender',
     flaps: 'pestañas en gris',

@@ -80,6 +80,8 @@ export const optionHelp: Words['optionHelp'] = {
     'imprimer les faces aux couleurs et avec les images du modèle\u202f; auto\u202f: là où il en a, sans --colour part',
   colour:
     'part\u202f: imprimer chaque pièce dans la couleur de sa partie, sauf si --texture on en trouve dans le modèle',
+  shading:
+    'on\u202f: imprimer les ombres et lumières de la surface, pour un modèle simplifié celles d’avant, pour voir les détails sans les plier',
   'flap-bleed':
     'ce qui, d’une languette, reçoit les couleurs de sa face\u202f: none (rien), half (la moitié) ou whole (tout)',
 };

@@ -307,6 +307,7 @@ export const page: Words['page'] = {
     bleedNone: 'Pas du tout',
     bleedHalf: 'À moitié, près du pli',
     bleedWhole: 'En entier',
+    shading: 'ombres et lumières du modèle',
     style: 'Lignes comme celles de',
     styleBlender: 'modèles papier de Blender',
     flaps: 'languettes en gris',

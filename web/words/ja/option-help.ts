@@ -66,5 +66,7 @@ export const optionHelp: Words['optionHelp'] = {
     'モデルの色と画像を面に印刷します。auto：色や画像があり、--colour partを指定していないとき',
   colour:
     'part：部品をブロックごとの色で印刷します。ただし--texture onでモデルに色や画像があるときは使いません',
+  shading:
+    'on：表面の明るさと影を印刷します。面を減らしたモデルでは減らす前の表面を使うので、折らなくても細かい形が見えます',
   'flap-bleed': 'のりしろに面の色を広げる範囲。none：なし、half：半分、whole：全体',
 };

@@ -302,6 +302,7 @@ export const page: Words['page'] = {
     bleedNone: 'なし',
     bleedHalf: '折り目側の半分',
     bleedWhole: '全体',
+    shading: 'モデルの明るさと影',
     style: '線の見た目',
     styleBlender: 'Blenderのペーパーモデル',
     flaps: 'のりしろを灰色に',
