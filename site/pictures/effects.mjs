@@ -95,5 +95,6 @@ export const effects = {
   dpi: 'It is the number of dots of pictures; lines of SVG and PDF files have none.',
   texture: shows('house', ['on', 'off']),
   colour: shows('rabbit', ['none', 'part'], 'sheet', { texture: 'off' }),
+  shading: shows('rabbit', ['off', 'on'], 'sheet', { texture: 'off' }),
   'flap-bleed': shows('painted', ['half', 'none', 'whole'], corner),
 };

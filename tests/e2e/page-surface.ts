@@ -78,9 +78,18 @@ async function readObj(
     loader.setMaterials(creator);
   }
   const group = loader.parse(text);
+  group.traverse((node) => {
+    if (node instanceof Mesh) [node.material as Material[]].flat().forEach(leavePictureAlone);
+  });
   const pictures = files.filter(({ name }) => /\.(?:png|jpe?g)$/i.test(name));
   if (!library && pictures.length === 1) await layPicture(group, pictures[0]!, manager);
   return group;
+}
+
+/** Programs leave `Kd` at grey or black beside a picture, and others do not look at it then, nor are sheets printed so. */
+function leavePictureAlone(material: Material): void {
+  const { map, color } = material as MeshStandardMaterial;
+  if (map) color.set(1, 1, 1);
 }
 
 /** Without a library a single picture is what all of the model looks like. */

@@ -92,6 +92,30 @@ test('colours on paper are chosen beside the sheets, and undone', () =>
     expect(studio.complaints).toEqual([]);
   }));
 
+test('light and shade of a model before it was simplified are printed on request, and undone', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    await page.fill('#parts', '2');
+    await page.fill('#faces', '60');
+    await studio.choose('knot.obj', readFileSync('dist/studio/samples/knot.obj'));
+    const hash = await studio.resultOf('knot');
+    const printed = page.locator('.sheet [data-layer="texture"] image').first();
+    const bleed = page.getByLabel('Coloured of each flap');
+    expect(await bleed.isDisabled()).toBe(true);
+    await page.getByLabel('light and shade of the model').check();
+    await printed.waitFor();
+    expect(await bleed.isDisabled()).toBe(false);
+    await studio.picture('print-5-shading');
+    await page.getByLabel('Who cuts').selectOption('generic');
+    await printed.waitFor({ state: 'detached' });
+    await page.locator('#undo').click();
+    await printed.waitFor();
+    await page.locator('#undo').click();
+    await printed.waitFor({ state: 'detached' });
+    expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('how lines look is part of the history, and stays for the next run', () =>
   withStudio(async (studio) => {
     const { page } = studio;
