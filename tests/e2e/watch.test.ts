@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { cancelAt, stageWords } from './page-clock.js';
 import { objText, wavyRing } from '../web/model-text.js';
 import { box } from '../web/solids.js';
+import { untilKept } from './kept-work.js';
 import { useStudio } from './studio-fixture.js';
 import type { StudioPage } from './studio-page.js';
 
@@ -157,6 +158,29 @@ test('a run that is stopped gives the pieces that it has found, to be printed an
     await page.locator('#undo').click();
     await page.locator('#announcement', { hasText: 'Undone:' }).waitFor();
     expect(await page.locator('#result').getAttribute('data-hash')).toBe(hash);
+    expect(studio.complaints).toEqual([]);
+  }));
+
+test('a run that was stopped is kept as what it is, and can be let finish', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const row = page.locator('#verdict-rows [data-code="run-stopped"]');
+    await page.fill('#parts', '8');
+    await studio.choose('ring.obj', objText(wavyRing(20)));
+    await page.locator('#nets-words', { hasText: 'could be printed now' }).waitFor();
+    await page.getByRole('button', { name: 'Stop and use this' }).click();
+    const hash = await studio.resultOf('ring');
+    await row.waitFor();
+    await untilKept(page, ([first]) => first?.hashes[0] === hash);
+    await page.reload();
+    await page.getByRole('button', { name: 'Go on with “ring”' }).click();
+    expect(await studio.resultOf('ring')).toBe(hash);
+    expect(await page.locator('#announcement').textContent()).toContain('Stopped. ');
+    expect(await row.innerText()).toContain('The search was stopped before its end');
+    await row.getByRole('button', { name: 'Unfold again to the end' }).click();
+    await page.locator(`#result:not([data-hash="${hash}"])`).waitFor();
+    await studio.resultOf('ring');
+    expect(await page.locator('#verdict-rows').innerText()).not.toContain('stopped');
     expect(studio.complaints).toEqual([]);
   }));
 

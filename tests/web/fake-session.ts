@@ -29,7 +29,8 @@ export function stateOf(settings: Settings, parts: number, names: PartName[] = [
   const labels = Int32Array.from(pieces, ({ part }) => part);
   const result = { model, parts, labels, names, pieces, scale: 1, notices: [] };
   const wishes = { settings, flapEdges: [], locks: [], names, pins: [] };
-  return { wishes, result: result as unknown as DocumentState['result'] };
+  const start = { labels, nets: [], netEdits: [], partEdits: [], paper: null };
+  return { wishes, result: result as unknown as DocumentState['result'], start, isStopped: false };
 }
 
 function next(before: DocumentState, edits: readonly DocumentEdit[]): DocumentState | Refusal {
@@ -124,8 +125,8 @@ export class FakeSession implements OpenModel {
     throw new Error('Nobody keeps it here');
   }
 
-  private named({ wishes, result }: DocumentState): DocumentState {
-    return { wishes, result: { ...result, file: this.file } };
+  private named(state: DocumentState): DocumentState {
+    return { ...state, result: { ...state.result, file: this.file } };
   }
 
   private move(by: number): boolean {

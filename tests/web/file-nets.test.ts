@@ -117,7 +117,16 @@ describe.skipIf(!isEngineBuilt)('nets of a file', () => {
       // What the file cuts is not locked.
       const made = await session.apply({ kind: 'merge', parts: [1, 2] });
       expect(made.ok).toBe(true);
-      expect((await session.result()).pieces).toHaveLength(1);
+      const { notices, pieces } = await session.result();
+      expect(pieces).toHaveLength(1);
+      // What became of the nets of the file is still to be known.
+      expect(notices).toContainEqual(result.notices.find(({ code }) => code === 'file-nets-kept'));
+      await session.apply({ kind: 'paper', options: { height: 30 } });
+      const kept = { pieces: 2, uncut: 0, size: 'other' };
+      const sized = (await session.result()).notices;
+      expect(sized.filter(({ code }) => code === 'file-nets-kept')).toEqual([
+        { code: 'file-nets-kept', params: kept },
+      ]);
     }));
 
   it('say that their parts hold, whatever number was asked for', () =>

@@ -6,6 +6,10 @@ import type { KnownMessage } from '../../web/words/messages.js';
  */
 export const examples: readonly [KnownMessage, string][] = [
   [
+    { code: 'run-stopped', params: {} },
+    'the search was stopped before its end, and what was found until then is here; unfold again to let it finish',
+  ],
+  [
     { code: 'overlapping-pieces', params: { pieces: ['B'] } },
     'piece B overlaps itself and cannot be cut out whole',
   ],

@@ -34,6 +34,7 @@ const own = Object.keys({
   'project-damaged': 0,
   'project-options-lost': 0,
   'project-redrawn': 0,
+  'run-stopped': 0,
   'bad-3mf': 0,
   'bad-archive': 0,
   'bad-fold': 0,

@@ -3,6 +3,8 @@ import { readFile } from 'node:fs/promises';
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { makeDoor, type Door } from '../../web/api/door.js';
+import type { RunWork } from '../../web/api/work.js';
+import { finishedParts } from '../../web/app/result-words.js';
 import type { Session } from '../../web/api/session.js';
 import type { Pool } from '../../web/core/pool.js';
 import type { TimedEvent } from '../../web/core/protocol.js';
@@ -46,6 +48,22 @@ async function hashes(session: Session): Promise<string[]> {
   const found = [await hashOf(session)];
   while (session.undo()) found.push(await hashOf(session));
   return found;
+}
+
+/** Stops work when it has told of a net and is in a stage. */
+async function stopIn(
+  stage: 'search' | 'paper',
+  begin: (work: RunWork) => Promise<unknown>,
+): Promise<void> {
+  const control = new AbortController();
+  let hasNet = false;
+  const onEvent = (event: TimedEvent): void => {
+    hasNet ||= event.type === 'net';
+    const isThere = stage === 'search' || (event.type === 'stage' && event.stage === stage);
+    if (hasNet && isThere) control.abort();
+  };
+  await begin({ stop: control.signal, onEvent });
+  expect(control.signal.aborted).toBe(true);
 }
 
 /** A project with something changed in it. */
@@ -119,6 +137,55 @@ describe.skipIf(!isEngineBuilt)('a project', () => {
       expect((await one.result()).parts).toBe(4);
       await one.run({ ...options, seed: 2 });
       expect([one.position, one.canRedo]).toEqual([0, false]);
+    }));
+
+  it.each(['search', 'paper'] as const)(
+    'of a run that was stopped in the stage %s has what was found until then, and says so',
+    (stage) =>
+      withThreads(1, async (pool) => {
+        const door = doorOf(pool);
+        const session = await door.open([model]);
+        await stopIn(stage, (work) => session.run(options, work));
+        const before = await session.result();
+        const { notices } = before;
+        expect(notices[0]).toEqual({ code: 'run-stopped', params: {} });
+        const file = await projectOf(session);
+        const opened = await door.open([file]);
+        const events: TimedEvent[] = [];
+        const after = await opened.result({ onEvent: (event) => events.push(event) });
+        expect(after.hash).toBe(before.hash);
+        expect(after.notices).toEqual(notices);
+        expect(events.filter(({ type }) => type === 'generation' || type === 'learned')).toEqual(
+          [],
+        );
+        expect((await projectOf(opened)).bytes).toEqual(file.bytes);
+        // An edit looks for what is missing; the run itself goes on only when it is made again.
+        expect(await opened.apply({ kind: 'name', part: 1, text: 'Tail' })).toMatchObject({
+          ok: true,
+        });
+        const edited = await opened.result();
+        expect(finishedParts(edited)).toBe(edited.parts);
+        expect(edited.notices[0]).toEqual({ code: 'run-stopped', params: {} });
+        opened.undo();
+        expect(await hashOf(opened)).toBe(before.hash);
+        await opened.run(options);
+        expect(opened.report.notices.map(({ code }) => code)).not.toContain('run-stopped');
+      }),
+  );
+
+  it('has what an edit had found when it was stopped', () =>
+    withThreads(1, async (pool) => {
+      const door = doorOf(pool);
+      const session = await door.open([model]);
+      await session.run(options);
+      const edit = { kind: 'again', part: 1, seed: 5 } as const;
+      await stopIn('search', (work) => session.apply(edit, work));
+      const before = await session.result();
+      expect(before.notices[0]).toEqual({ code: 'run-stopped', params: {} });
+      const opened = await door.open([await projectOf(session)]);
+      const after = await opened.result();
+      expect([after.hash, after.notices]).toEqual([before.hash, before.notices]);
+      expect(await hashes(opened)).toEqual(await hashes(session));
     }));
 
   it('makes all of it again where what was saved gives other bits', () =>

@@ -90,6 +90,15 @@ describe('what helps', () => {
     expect(editsFor(tiny, 'tiny-pieces')).toEqual([{ kind: 'merge', parts: [2, 1] }]);
   });
 
+  it('is the whole search for a run that was stopped', () => {
+    const result = boxAndLidResult();
+    result.notices = [{ code: 'run-stopped', params: {} }];
+    expect(wordsFor(result, 'run-stopped')).toEqual(['Unfold again to the end']);
+    expect(remedyEdits(remediesIn(result, 'run-stopped')[0]!)).toBeNull();
+    result.pieces.pop();
+    expect(remediesIn(result, 'unfinished')).toEqual([{ kind: 'finish' }]);
+  });
+
   it('is a size at which a sheet less does', () => {
     const result = boxAndLidResult();
     expect(editsFor(result, 'spare-sheet')).toEqual([{ kind: 'paper', options: { sheets: 1 } }]);

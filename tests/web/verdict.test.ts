@@ -107,6 +107,9 @@ describe('the verdict', () => {
 
   it('is red for a run that was ended early', () => {
     expect(verdictOn((result) => result.pieces.pop())).toContain('unfinished red 2');
+    const stopped = { ...good(), notices: [{ code: 'run-stopped', params: {} }] };
+    expect(verdictOn(() => undefined, stopped)).toEqual(['hard amber 1', 'run-stopped amber 1']);
+    expect(verdictOn((result) => result.pieces.pop(), stopped).join()).not.toContain('run-stopped');
   });
 
   it('tells of paper that could be saved, and counts it not', () => {
@@ -136,6 +139,6 @@ describe('the verdict', () => {
     result.seams.forEach((_, seam) => addFlap(result, seam, 5));
     const findings = findingsOn(result, margin);
     expect(findings.every(({ level }) => level === 'green')).toBe(true);
-    expect(new Set(findings.map(({ code }) => code)).size).toBe(12);
+    expect(new Set(findings.map(({ code }) => code)).size).toBe(13);
   });
 });

@@ -24,8 +24,10 @@ export interface Wishes {
 export interface DocumentState {
   wishes: Wishes;
   result: TimedResult;
-  /** Where the last stage alone may make the result again; absent where that cannot be. */
-  start?: JobStart;
+  /** Where the last stage alone may make the result again. */
+  start: JobStart;
+  /** Whether the job that made it was stopped: it has the nets that there were by then. */
+  isStopped: boolean;
 }
 
 /** All that was asked for before the first edit. */

@@ -17,6 +17,8 @@ import type { RunWork, WorkOptions } from './work.js';
 export interface Beginning {
   /** As they are after it: with the flaps and the size of the file. */
   readonly wishes: Wishes;
+  /** What became of the nets of the file. */
+  readonly told: readonly Message[];
   run(work: RunWork): Promise<TimedResult>;
 }
 
@@ -50,34 +52,29 @@ function startOf({ labels }: KeptNets): JobStart {
   return { labels, nets: [], netEdits: [], partEdits: [], paper: null };
 }
 
-/** Runs jobs of a model, with what is to be told of its nets. */
+/** Jobs of a model, with what is to be told of its nets. */
 class Jobs {
   constructor(private readonly opened: OpenedModel) {}
 
-  async run(
-    options: JobOptions,
-    notices: readonly Message[],
-    work: RunWork & { start?: JobStart },
-  ): Promise<TimedResult> {
-    const result = await this.opened.run(options, work);
-    return { ...result, notices: [...notices, ...result.notices] };
+  private beginning(
+    wishes: Wishes,
+    told: readonly Message[],
+    { options = jobOf(wishes), start }: { options?: JobOptions; start?: JobStart } = {},
+  ): Beginning {
+    const run = (work: RunWork): Promise<TimedResult> =>
+      this.opened.run(options, { ...work, ...(start && { start }) });
+    return { wishes, told, run };
   }
 
   /** @param nets that are not used */
   anew(wishes: Wishes, nets: FileNets | null): Beginning {
-    return {
-      wishes,
-      run: (work) => {
-        const unused = nets && message('file-nets-unused', { pieces: nets.pieces.length });
-        return this.run(jobOf(wishes), unused ? [unused] : [], work);
-      },
-    };
+    const unused = nets && message('file-nets-unused', { pieces: nets.pieces.length });
+    return this.beginning(wishes, unused ? [unused] : []);
   }
 
   /** New nets after all. */
   withoutNets(wishes: Wishes, what: Messages['file-nets-lost']['what']): Beginning {
-    const told = message('file-nets-lost', { what });
-    return { wishes, run: (work) => this.run(jobOf(wishes), [told], work) };
+    return this.beginning(wishes, [message('file-nets-lost', { what })]);
   }
 
   /**
@@ -91,8 +88,8 @@ class Jobs {
       message('file-nets-kept', { pieces: count, uncut, size }),
       ...(parts === 'auto' ? [] : [message('parts-unused', { parts })]),
     ];
-    const job = { ...jobOf(wishes), locks };
-    return { wishes, run: (work) => this.run(job, told, { ...work, start: startOf(kept) }) };
+    const options = { ...jobOf(wishes), locks };
+    return this.beginning(wishes, told, { options, start: startOf(kept) });
   }
 }
 
@@ -106,6 +103,10 @@ class FirstPossible implements Beginning {
 
   get wishes(): Wishes {
     return this.chosen.wishes;
+  }
+
+  get told(): readonly Message[] {
+    return this.chosen.told;
   }
 
   async run(work: RunWork): Promise<TimedResult> {

@@ -36,7 +36,10 @@ export class OpenedModel {
   ) {}
 
   /** Rejects as `runJob` does, and with a `JobError` for files that give no model. */
-  async run(options: JobOptions, work: RunWork & Pick<RunOptions, 'start'>): Promise<TimedResult> {
+  async run(
+    options: JobOptions,
+    work: RunWork & Pick<RunOptions, 'start' | 'searches'>,
+  ): Promise<TimedResult> {
     const { model, finished } = await this.open(work.signal);
     const files = model ? [model.file] : this.files;
     const onEvent = (event: TimedEngineEvent): void => {

@@ -44,9 +44,10 @@ export class OpenedProject {
   async run(work: WorkOptions): Promise<DocumentState> {
     const beginning = await beginningOf(this.model, freshWishes(this.settings), work);
     const result = await beginning.run(work);
-    const { wishes } = beginning;
-    const told = { ...result, notices: [...this.faults, ...result.notices] };
-    return { wishes, result: told, start: startAgain(result, null) };
+    const { told, wishes } = beginning;
+    const notices = [...this.faults, ...told, ...result.notices];
+    const start = startAgain(result, null);
+    return { wishes, result: { ...result, notices }, start, isStopped: false };
   }
 
   /**
@@ -55,21 +56,22 @@ export class OpenedProject {
    */
   async restore(saved: SavedState, work: WorkOptions): Promise<DocumentState | null> {
     const wishes = savedWishes(saved);
+    const { isStopped = false } = saved;
     const start: JobStart = { ...saved.start, netEdits: [], partEdits: [] };
-    const result = await this.lastStage(saved, { ...work, start });
+    const result = await this.lastStage(saved, { ...work, start, searches: !isStopped });
     if (!result) return null;
     const isSame = result.hash === saved.hash;
     const isOlder = this.project.app !== version && hasNetsOf(result, saved);
     if (!isSame && !isOlder) return null;
     const redrawn: Message[] = isSame ? [] : [{ code: 'project-redrawn', params: {} }];
     const notices = [...this.faults, ...redrawn, ...saved.told.notices];
-    return { wishes, result: { ...result, ...saved.told, notices }, start };
+    return { wishes, result: { ...result, ...saved.told, notices }, start, isStopped };
   }
 
   /** Null where the engine does not take what was saved. */
   private async lastStage(
     saved: SavedState,
-    work: WorkOptions & { start: JobStart },
+    work: WorkOptions & { start: JobStart; searches: boolean },
   ): Promise<TimedResult | null> {
     try {
       return await this.model.run(jobOf(savedWishes(saved)), work);

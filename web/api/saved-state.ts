@@ -35,9 +35,8 @@ export function readSettings(options: WrittenSettings): { settings: Settings; lo
   return { settings, lost };
 }
 
-/** A state as it is kept; null if only making it again leads there. */
-export function savedState({ wishes, result, start }: DocumentState): SavedState | null {
-  if (!start) return null;
+/** A state as it is kept. */
+export function savedState({ wishes, result, start, isStopped }: DocumentState): SavedState {
   const { settings, flapEdges, locks, names, pins } = wishes;
   const { labels, nets, paper } = start;
   const { hash, search, seconds } = result;
@@ -51,6 +50,7 @@ export function savedState({ wishes, result, start }: DocumentState): SavedState
     pins,
     start: { labels, nets, paper },
     told: { search, seconds, notices },
+    ...(isStopped && { isStopped }),
   };
 }
 

@@ -28,6 +28,7 @@ import {
 } from './edit-plan.js';
 import { beginningOf } from './file-nets.js';
 import { History, type Remake } from './history.js';
+import { stopped, withLasting } from './lasting-notices.js';
 import { inspectModel, type Inspection } from './inspect.js';
 import { LitResults } from './lit-results.js';
 import { OpenedModel } from './opened-model.js';
@@ -188,15 +189,14 @@ export class Session {
       const plan = planEdits(before, edits);
       if (!plan.ok) return plan;
       const { position } = this.history;
-      const made = await this.make(before, plan, work);
-      if ('ok' in made) return made;
+      const state = await this.make(before, plan, work);
+      if ('ok' in state) return state;
       if (this.history.position !== position) {
         return refusal('overtaken', {});
       }
-      const { isWhole, state } = made;
       // What an ended edit has found depends on when it was ended: it cannot be computed again.
       const remake: Remake = (last, more) =>
-        isWhole ? this.remake(last!, edits, more) : Promise.resolve(state);
+        state.isStopped ? Promise.resolve(state) : this.remake(last!, edits, more);
       this.history.add({ edits, state, saved: savedState(state), remake });
       const old = new Set(netKeys(before.result));
       const changed = netKeys(state.result).flatMap((key, i) => (old.has(key) ? [] : [i + 1]));
@@ -244,8 +244,8 @@ export class Session {
         const { writeProject } = await import('../project/write-project.js');
         return [{ name: this.title + projectEnding, bytes: writeProject(this.project()) }];
       }
-      const { state, print } = await this.printed(options, work);
-      return writeFiles(format, { result: state.result, print, name: `${this.title}.${format}` });
+      const { result, print } = await this.printed(options, work);
+      return writeFiles(format, { result, print, name: `${this.title}.${format}` });
     });
   }
 
@@ -272,14 +272,16 @@ export class Session {
     const beginning = await beginningOf(this.model, freshWishes(settings), work);
     const run = (more: RunWork): Promise<TimedResult> => beginning.run(more);
     const { result, isWhole } = await outcome(run, work);
-    const { wishes } = beginning;
+    const { told, wishes } = beginning;
     this.fileName = result.file;
     this.asked = settings;
     const stateOf = (made: TimedResult): DocumentState => {
-      return { wishes, result: made, start: startAgain(made, null) };
+      const notices = [...(isWhole ? [] : [stopped]), ...told, ...made.notices];
+      const start = startAgain(made, null);
+      return { wishes, result: { ...made, notices }, start, isStopped: !isWhole };
     };
+    const first = stateOf(result);
     // What an ended run has found depends on when it was ended: it cannot be computed again.
-    const first: DocumentState = isWhole ? stateOf(result) : { wishes, result };
     const remake: Remake = async (_, more) => (isWhole ? stateOf(await run(more)) : first);
     this.history = new History([{ edits: [], remake, state: first, saved: savedState(first) }], 0, {
       reportOf: stateReport,
@@ -322,7 +324,7 @@ export class Session {
   ): Promise<DocumentState | null> {
     const plan = planEdits(before, edits);
     const made = plan.ok ? await this.make(before, plan, work) : plan;
-    return 'ok' in made ? null : made.state;
+    return 'ok' in made ? null : made;
   }
 
   private async current(work: WorkOptions): Promise<DocumentState> {
@@ -338,7 +340,7 @@ export class Session {
   private async printed(
     options: Options,
     work: WorkOptions,
-  ): Promise<{ state: DocumentState; print: Print }> {
+  ): Promise<{ result: TimedResult; print: Print }> {
     const before = await this.current(work);
     const settings = changedSettings(before.wishes.settings, options);
     const wishes = { ...before.wishes, settings };
@@ -346,14 +348,14 @@ export class Session {
     const laidOut = isSameJob
       ? before.result
       : await this.job(jobOf(wishes), startFrom(before.result, []), work);
-    const state = await this.lit.of({ wishes, result: laidOut }, work);
+    const { result } = await this.lit.of({ wishes, result: laidOut }, work);
     const { margin } = settings;
     const { loadFont, loadRenderer } = this.surroundings;
     // Loaded when it is first asked for: who only edits does not draw.
     const { preparePrint } = await import('../export/print.js');
     const look = { title: this.title, margin, options: printOf(wishes) };
-    const print = await preparePrint({ result: state.result, ...look, loadFont, loadRenderer });
-    return { state, print };
+    const print = await preparePrint({ result, ...look, loadFont, loadRenderer });
+    return { result, print };
   }
 
   /** The state that a plan makes, or why the engine refuses. */
@@ -361,18 +363,16 @@ export class Session {
     before: DocumentState,
     { wishes, start, seed }: EditPlan,
     work: RunWork,
-  ): Promise<{ state: DocumentState; isWhole: boolean } | Refusal> {
-    if (!start) return { state: { ...before, wishes }, isWhole: true };
+  ): Promise<DocumentState | Refusal> {
+    if (!start) return { ...before, wishes };
     const options = { ...jobOf(wishes), ...(seed !== undefined && { seed }) };
     try {
-      const made = await outcome((more) => this.job(options, start, more), work);
-      const result = together(before.result, made.result);
+      const { isWhole, ...made } = await outcome((more) => this.job(options, start, more), work);
+      const own = [...(isWhole ? [] : [stopped]), ...made.result.notices];
+      const notices = withLasting(own, before, wishes.settings);
+      const result = { ...together(before.result, made.result), notices };
       const settled = { wishes: settledWishes(wishes, { result }), result };
-      const { isWhole } = made;
-      return {
-        state: isWhole ? { ...settled, start: startAgain(result, start) } : settled,
-        isWhole,
-      };
+      return { ...settled, start: startAgain(result, start), isStopped: !isWhole };
     } catch (error) {
       if (!(error instanceof JobError) || crashes.includes(error.code)) throw error;
       return refusalOf(error, error.faces);

@@ -439,6 +439,7 @@ export class Studio extends Panel {
   private mend(remedy: Remedy): void {
     const edits = remedyEdits(remedy);
     if (edits) void this.change(edits);
+    else if (remedy.kind === 'finish') void this.submit();
     else if (remedy.kind === 'faces') {
       this.form.faces.set(remedy.faces);
       this.settings.reveal();

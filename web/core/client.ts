@@ -21,6 +21,8 @@ export interface RunOptions {
   pictures?: boolean;
   /** Whether `draft` events tell what could be printed already, once every part has a net. */
   drafts?: boolean;
+  /** False: no nets are searched, and the result is made of those of `start` alone, as it would be after a stop. */
+  searches?: boolean;
   /** How long an aborted run waits for an answer of its workers, in ms; 80 unless given. */
   patience?: number;
   /** Changes an earlier result of the same files instead of starting afresh. The options that decide
@@ -47,8 +49,16 @@ interface Order {
 
 let lastJob = 0;
 
+/** What a job that nobody has ended comes to, with how long it took. */
+function resultOf(event: TimedEngineEvent): { result: EngineResult; seconds: StageSeconds } | null {
+  if (event.type === 'done') return event;
+  if (event.type !== 'cancelled' || !event.best) return null;
+  return { result: event.best, seconds: event.seconds };
+}
+
 function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<TimedEngineResult> {
-  const { signal, stop, onEvent, pictures = false, drafts = false, patience } = runOptions;
+  const { signal, stop, onEvent, patience } = runOptions;
+  const { pictures = false, drafts = false, searches = true } = runOptions;
   return new Promise((resolve, reject) => {
     const settle = (last: () => void, waitsForNets = false): void => {
       run.end(() => {
@@ -63,14 +73,14 @@ function runNow(pool: Pool, order: Order, runOptions: RunOptions): Promise<Timed
     const handOver = (): void => fail(stop?.reason as Error, true);
     const run = new JobRun(
       pool,
-      { ...order, job: ++lastJob, pictures, drafts },
+      { ...order, job: ++lastJob, pictures, drafts, searches },
       {
         onEvent(event) {
           onEvent?.(event);
           if (event.type === 'error') fail(new JobError(event.code, event.params, event.faces));
-          if (event.type !== 'done') return;
-          const result = { ...event.result, seconds: event.seconds };
-          settle(() => resolve(result));
+          const made = resultOf(event);
+          if (made) settle(() => resolve({ ...made.result, seconds: made.seconds }));
+          else if (event.type === 'cancelled' && !searches) fail(new JobError('bad-start', {}));
         },
         onDeath(reason) {
           fail(new JobError(engineDied, { reason }));

@@ -181,9 +181,14 @@ export class Conductor {
       this.throttle.flush();
       return;
     }
+    let hasTasks = false;
     for (let task = this.job.takeTask(); task; task = this.job.takeTask()) {
       this.dispatcher.add(task.id, task.surface, task.bytes);
+      hasTasks = true;
     }
+    // With its first net or task the search has taken over the nets that there are; before that there is no work to share.
+    const hasBegun = hasTasks || events.some(({ type }) => type === 'net');
+    if (hasBegun && !this.request.searches) this.ended = true;
   }
 
   private orderFor({ id, surface, bytes }: OpenTask, withSurface: boolean): TaskOrder {

@@ -22,6 +22,13 @@ export const defaultPatience = 80;
  */
 const patienceForNets = 30_000;
 
+/** What a conductor tells last of a job that nobody has ended. */
+const lastTypes: ReadonlySet<string> = new Set<TimedEngineEvent['type']>([
+  'done',
+  'error',
+  'cancelled',
+]);
+
 /** An event with its message in English. */
 function inWords(event: TimedEngineEvent): TimedEngineEvent {
   const hasMessage = event.type === 'notice' || event.type === 'error';
@@ -154,7 +161,7 @@ export class JobRun implements PoolListener {
       // Whoever hears an event may end the job.
       if (this.whenEnded) return this.passOnLast(events.slice(index));
       // After the last event the conductor frees everything by itself.
-      if (event.type === 'done' || event.type === 'error') this.engaged.delete(this.conductor);
+      if (lastTypes.has(event.type)) this.engaged.delete(this.conductor);
       if (event.type === 'net') this.hasNets = true;
       this.listener.onEvent(inWords(event));
     }

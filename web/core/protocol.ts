@@ -38,8 +38,8 @@ export interface TaskReport {
 }
 
 /**
- * To a worker without a job: conduct one. Answered by `events`, of which the last is `done` or
- * `error`, and meanwhile by `help` and `task`. The files' bytes are copied, so that the asker can run
+ * To a worker without a job: conduct one. Answered by `events`, of which the last is `done`, `error` or, where
+ * nothing is searched, `cancelled`, and meanwhile by `help` and `task`. The files' bytes are copied, so that the asker can run
  * the same ones again.
  */
 export interface RunRequest {
@@ -54,6 +54,8 @@ export interface RunRequest {
   pictures: boolean;
   /** Whether `draft` events tell what could be printed already. */
   drafts: boolean;
+  /** Whether nets are searched; else the job comes to those of its start, and ends with `cancelled`. */
+  searches: boolean;
 }
 
 /**

@@ -4,7 +4,7 @@ import type { JobResult, NamedSeam } from './job.js';
 import { bareSeams, measureSeams } from './seam-measures.js';
 import type { SheetEdge, SheetEdges } from './sheet-edges.js';
 import { goodSeam } from './short-seams.js';
-import type { Finding } from './verdict.js';
+import type { Finding, FindingCode } from './verdict.js';
 
 /** An edge, or a whole piece by its index. */
 export type FindingPlace = { edge: SheetEdge; piece?: never } | { edge?: never; piece: number };
@@ -42,9 +42,15 @@ function atNecks({ all, result }: SheetEdges): FindingPlace[] {
     .map((edge) => ({ edge }));
 }
 
+const ofWholeModel: ReadonlySet<FindingCode> = new Set<FindingCode>([
+  'unfinished',
+  'run-stopped',
+  'long-building',
+]);
+
 /** Whether a finding is about places, rather than about the whole model. */
 export function hasPlaces({ code, count }: Finding): boolean {
-  return count > 0 && code !== 'unfinished' && code !== 'long-building';
+  return count > 0 && !ofWholeModel.has(code);
 }
 
 /**
@@ -86,6 +92,7 @@ export function placesOf(finding: Finding, edges: SheetEdges): FindingPlace[] {
       return result.pieces.flatMap(({ sheet }, piece) => (sheet === last ? [{ piece }] : []));
     }
     case 'unfinished':
+    case 'run-stopped':
     case 'long-building':
       return [];
   }

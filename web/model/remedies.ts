@@ -15,6 +15,8 @@ export type Remedy =
   | { kind: 'sheets'; sheets: number }
   /** So many triangles, which take a new search. */
   | { kind: 'faces'; faces: number }
+  /** The whole search once more, to its end. */
+  | { kind: 'finish' }
   | { kind: 'strips' }
   | { kind: 'numbers-on-flaps' }
   /** Other nets for parts, which count from 1. */
@@ -125,6 +127,8 @@ export function remediesFor(finding: Finding, looked: Looked): Remedy[] {
       return faces === undefined ? [] : [{ kind: 'faces', faces }];
     }
     case 'unfinished':
+    case 'run-stopped':
+      return [{ kind: 'finish' }];
     case 'beyond-paper':
     case 'missing-names':
       return [];
@@ -147,6 +151,7 @@ export function remedyEdits(remedy: Remedy): DocumentEdit[] | null {
     case 'merge':
       return [{ kind: 'merge', parts: remedy.parts }];
     case 'faces':
+    case 'finish':
       return null;
   }
 }

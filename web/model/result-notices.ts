@@ -15,6 +15,7 @@ function overlaps(result: JobResult): Notice[] {
 
 /** Codes of the notices that the rows of a verdict tell as well. */
 const inVerdict: ReadonlySet<string> = new Set([
+  'run-stopped',
   'overlapping-pieces',
   'short-seams',
   'missing-flaps',

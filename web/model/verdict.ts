@@ -18,6 +18,7 @@ type Pieces = { pieces: string[] };
 /** What is found, with what its sentence needs; lengths in mm, shares from 0 to 1. */
 export interface FindingParams {
   unfinished: None;
+  'run-stopped': None;
   'overlapping-pieces': Pieces;
   'beyond-paper': Pieces;
   'short-seams': { median_mm: number };
@@ -94,6 +95,17 @@ function unfinished({ model, notices, pieces }: JobResult): Finding {
   const laid = pieces.reduce((sum, { sources }) => sum + sources.length, 0);
   const count = model.faces.length / 3 - laid - leftOutFaces(notices);
   return { code: 'unfinished', level: count > 0 ? 'red' : 'green', count, params: {} };
+}
+
+/** That something is missing tells it already. */
+function runStopped({ notices }: JobResult, { level }: Finding): Finding {
+  const isStopped = level === 'green' && notices.some(({ code }) => code === 'run-stopped');
+  return {
+    code: 'run-stopped',
+    level: isStopped ? 'amber' : 'green',
+    count: Number(isStopped),
+    params: {},
+  };
 }
 
 function beyondPaper(result: JobResult, margin: number): Finding {
@@ -177,8 +189,10 @@ const order: readonly Level[] = ['red', 'amber', 'green'];
  * @param margin around each sheet, mm
  */
 export function findingsOn(result: JobResult, margin: number): Finding[] {
+  const missing = unfinished(result);
   const findings: Finding[] = [
-    unfinished(result),
+    missing,
+    runStopped(result, missing),
     ofPieces('overlapping-pieces', 'red', overlappingPieces(result)),
     beyondPaper(result, margin),
     shortSeams(result),

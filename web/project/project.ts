@@ -27,6 +27,8 @@ export interface SavedState {
   start: SavedStart;
   /** What the last stage alone does not know. */
   told: { search: JobResult['search']; seconds: StageSeconds; notices: readonly Message[] };
+  /** There if its job was stopped: these nets are all that it has, and none is searched to make it again. */
+  isStopped?: true;
 }
 
 export interface Project {

@@ -97,7 +97,7 @@ const isNet = record({
   shares: listOf(listOf(finite)),
 });
 
-const isState = record({
+const isStateOfRun = {
   hash: text,
   options: isRecord,
   flapEdges: listOf(
@@ -114,7 +114,9 @@ const isState = record({
     seconds: recordOf(finite),
     notices: listOf(message),
   }),
-});
+};
+
+const isState = record(isStateOfRun, { isStopped: (value) => value === true });
 
 /** A state with the nets and labels that it names; null if it names others than there are. */
 function savedState(state: PlainState, { labels, nets }: ResultsJson): SavedState | null {

@@ -272,6 +272,8 @@ export interface OwnMessages {
 
   'archive-choice': { file: string; others: string[] };
   'not-for-printing': { supports: number; modifiers: number; negatives: number; unprinted: number };
+  /** What was found until then is there. */
+  'run-stopped': None;
   'file-nets-kept': { pieces: number; uncut: number; size: 'file' | 'other' };
   'file-nets-lost': { what: 'none' | 'simplified' | 'repaired' | 'flat' };
   'file-nets-unused': { pieces: number };

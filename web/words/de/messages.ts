@@ -265,6 +265,8 @@ export const messages: Table = {
     `${count(sheets, 'Blatt', 'Blätter')} statt ${figure(of)} gehen`,
   'sheet-split': ({ part, pieces: number }) =>
     `Abschnitt ${figure(part)} ist zu groß für das Blatt und wurde in ${figure(number)} Teile geschnitten`,
+  'run-stopped': () =>
+    'die Suche wurde vor ihrem Ende angehalten, und was bis dahin gefunden war, ist hier; wickle neu ab, damit sie zu Ende läuft',
   'unchecked-pieces': uncheckedPieces,
   'unit-guessed': ({ unit }) =>
     `die Einheit des Modells ist nicht bekannt; angenommen wurden ${units[unit]}`,

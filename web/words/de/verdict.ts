@@ -33,6 +33,13 @@ const findings: VerdictWords['findings'] = {
       hint: 'Die Suche wurde zu früh angehalten. Drück noch einmal auf „Abwickeln“ und lass sie zu Ende laufen.',
     }),
   },
+  'run-stopped': {
+    good: () => 'Die Suche lief zu Ende',
+    bad: () => ({
+      title: 'Die Suche wurde vor ihrem Ende angehalten',
+      hint: 'Was hier ist, kannst du bauen. Leichtere Netze kommen vielleicht, wenn die Suche zu Ende läuft.',
+    }),
+  },
   'overlapping-pieces': {
     good: () => 'Kein Teil liegt auf sich selbst',
     bad: ({ count: number, pieces: names }) => ({
@@ -146,6 +153,8 @@ function remedy(mend: Remedy): string {
       return mend.names.length > 3
         ? `${parts(mend.names.length)} neu suchen`
         : `${all(mend.names)} neu suchen`;
+    case 'finish':
+      return 'Neu abwickeln, bis zum Ende';
     case 'merge':
       return `${mend.names.join(' mit ')} verbinden`;
   }

@@ -257,6 +257,8 @@ export const messages: Table = {
     `${count(sheets, 'sheet')} instead of ${figure(of)}`,
   'sheet-split': ({ part, pieces: number }) =>
     `part ${figure(part)} is too large for the sheet and was cut into ${figure(number)} pieces`,
+  'run-stopped': () =>
+    'the search was stopped before its end, and what was found until then is here; unfold again to let it finish',
   'unchecked-pieces': uncheckedPieces,
   'unit-guessed': ({ unit }) => `the model's unit is not known; ${units[unit]} were assumed`,
   'up-guessed': () =>

@@ -32,6 +32,13 @@ const findings: VerdictWords['findings'] = {
       hint: 'The search was stopped too early. Press Unfold again and let it finish.',
     }),
   },
+  'run-stopped': {
+    good: () => 'The search came to its end',
+    bad: () => ({
+      title: 'The search was stopped before its end',
+      hint: 'You can build what is here. Nets that are easier to build may come when the search finishes.',
+    }),
+  },
   'overlapping-pieces': {
     good: () => 'No piece lies on top of itself',
     bad: ({ count: number, pieces: names }) => ({
@@ -151,6 +158,8 @@ function remedy(remedy: Remedy): string {
       return remedy.names.length > 3
         ? `Search ${count(remedy.names.length, 'piece')} again`
         : `Search ${all(remedy.names)} again`;
+    case 'finish':
+      return 'Unfold again to the end';
     case 'merge':
       return `Join ${remedy.names.join(' to ')}`;
   }

@@ -258,6 +258,8 @@ export const messages: Table = {
     `${counted.sheets(sheets)} en vez de ${figure(of)}`,
   'sheet-split': ({ part, pieces: number }) =>
     `la parte ${figure(part)} es demasiado grande para la hoja y se cortó en ${counted.pieces(number)}`,
+  'run-stopped': () =>
+    'la búsqueda se paró antes de terminar, y aquí está lo que se había encontrado; vuelve a desplegar para que termine',
   'unchecked-pieces': uncheckedPieces,
   'unit-guessed': ({ unit }) => `no se conoce la unidad del modelo; se tomaron ${units[unit]}`,
   'up-guessed': () =>

@@ -28,6 +28,13 @@ const findings: VerdictWords['findings'] = {
       hint: 'La búsqueda se paró demasiado pronto. Pulsa otra vez «Desplegar» y deja que termine.',
     }),
   },
+  'run-stopped': {
+    good: () => 'La búsqueda llegó a su fin',
+    bad: () => ({
+      title: 'La búsqueda se paró antes de terminar',
+      hint: 'Lo que hay se puede construir. Si la búsqueda termina, quizá salgan plantillas más fáciles.',
+    }),
+  },
   'overlapping-pieces': {
     good: () => 'Ninguna pieza queda encima de sí misma',
     bad: ({ count: number, pieces: names }) => ({
@@ -158,6 +165,8 @@ function remedy(mend: Remedy): string {
       return mend.names.length > 3
         ? `Buscar otra vez ${counted.pieces(mend.names.length)}`
         : `Buscar otra vez ${all(mend.names)}`;
+    case 'finish':
+      return 'Volver a desplegar hasta el final';
     case 'merge':
       return `Unir ${mend.names.join(' con ')}`;
   }

@@ -271,6 +271,8 @@ export const messages: Table = {
     `${count(sheets, 'feuille', 'feuilles')} au lieu de ${figure(of)}`,
   'sheet-split': ({ part, pieces: number }) =>
     `la partie ${figure(part)} est trop grande pour la feuille et a été coupée en ${count(number, 'pièce', 'pièces')}`,
+  'run-stopped': () =>
+    'la recherche a été arrêtée avant la fin, et voici ce qui était déjà trouvé\u202f; redéplie pour qu’elle aille au bout',
   'unchecked-pieces': uncheckedPieces,
   'unit-guessed': ({ unit }) =>
     `l’unité du modèle n’est pas connue\u202f; on a supposé ${units[unit]}`,

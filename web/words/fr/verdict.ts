@@ -31,6 +31,13 @@ const findings: VerdictWords['findings'] = {
       hint: 'La recherche a été arrêtée trop tôt. Appuie encore sur «\u202fDéplier\u202f» et laisse-la finir.',
     }),
   },
+  'run-stopped': {
+    good: () => 'La recherche est allée au bout',
+    bad: () => ({
+      title: 'La recherche a été arrêtée avant la fin',
+      hint: 'Ce qui est là peut se construire. Si la recherche va au bout, des patrons plus faciles viendront peut-être.',
+    }),
+  },
   'overlapping-pieces': {
     good: () => 'Aucune pièce ne se recouvre elle-même',
     bad: ({ count: number, pieces: names }) => ({
@@ -152,6 +159,8 @@ function remedy(mend: Remedy): string {
       return mend.names.length > 3
         ? `Chercher ${count(mend.names.length, 'pièce', 'pièces')} à nouveau`
         : `Chercher ${all(mend.names)} à nouveau`;
+    case 'finish':
+      return 'Redéplier jusqu’au bout';
     case 'merge':
       return `Joindre ${mend.names.join(' à ')}`;
   }

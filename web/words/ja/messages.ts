@@ -258,6 +258,8 @@ export const messages: Table = {
     `シートが${figure(of)}枚から${figure(sheets)}枚になるはずです`,
   'sheet-split': ({ part, pieces: number }) =>
     `ブロック${figure(part)}はシートに入らないので、${figure(number)}個の部品に切り分けました`,
+  'run-stopped': () =>
+    '探すのが途中で止められ、そこまでに見つかったものがここにあります。最後まで探すには、もう一度展開してください',
   'unchecked-pieces': uncheckedPieces,
   'unit-guessed': ({ unit }) => `モデルの単位がわからないので、${units[unit]}としました`,
   'up-guessed': () => 'ファイルにどちらが上か書かれていないので、この形式で多いz軸を上にしました',

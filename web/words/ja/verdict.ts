@@ -27,6 +27,13 @@ const findings: VerdictWords['findings'] = {
       hint: '探すのを早くやめすぎました。「展開する」をもう一度押して、最後まで待ってください。',
     }),
   },
+  'run-stopped': {
+    good: () => '最後まで探しました',
+    bad: () => ({
+      title: '探すのが途中で止められました',
+      hint: '今あるもので作れます。最後まで探すと、もっと作りやすい展開図が見つかるかもしれません。',
+    }),
+  },
   'overlapping-pieces': {
     good: () => '自分自身と重なる部品はありません',
     bad: ({ count, pieces: names }) => ({
@@ -147,6 +154,8 @@ function remedy(remedy: Remedy): string {
       return remedy.names.length > 3
         ? `部品${figure(remedy.names.length)}個を探し直す`
         : `${all(remedy.names)}を探し直す`;
+    case 'finish':
+      return '最後まで展開し直す';
     case 'merge':
       return `${remedy.names.join('と')}をつなげる`;
   }
