@@ -8,6 +8,13 @@ import { phone } from './studio-page.js';
 
 const withStudio = useStudio();
 
+interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
 const boxOf = async (page: Page, selector: string) => (await page.locator(selector).boundingBox())!;
 
 /** Whether the window shows all of the page. */
@@ -17,6 +24,56 @@ const standsStill = (page: Page): Promise<boolean> =>
     const { scrollWidth, scrollHeight } = document.documentElement;
     return scrollY === 0 && scrollHeight <= innerHeight && scrollWidth <= innerWidth;
   });
+
+/** Whether something of one box lies within another. */
+function meet(a: Box, b: Box): boolean {
+  const isBeside = a.x + a.width <= b.x || b.x + b.width <= a.x;
+  return !isBeside && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+test.each([
+  { name: 'desktop', viewport: { width: 1366, height: 768 } },
+  { name: 'phone', viewport: phone },
+])('a long fault on a $name keeps to the strip, and all of it can be read', ({ name, viewport }) =>
+  withStudio(
+    async (studio) => {
+      const { page } = studio;
+      await studio.chooseSample('House');
+      await studio.resultOf('house');
+      const model = await boxOf(page, '#result-model');
+      await studio.choose(`${'a long name of a letter '.repeat(9)}.docx`, 'Dear Sir or Madam');
+      const words = await studio.message();
+      const [strip, message] = [await boxOf(page, '#status'), await boxOf(page, '#message')];
+      expect(message.height).toBeLessThan(strip.height);
+      expect(meet(message, model)).toBe(false);
+      expect(await boxOf(page, '#result-model')).toEqual(model);
+      await studio.picture(`fault-${name}`);
+
+      const more = page.locator('#message-more');
+      expect(await more.getAttribute('aria-expanded')).toBe('false');
+      await more.focus();
+      await page.keyboard.press('Enter');
+      const isWhole = (): Promise<boolean> =>
+        page
+          .locator('#message-words')
+          .evaluate(({ scrollHeight, clientHeight }) => scrollHeight <= clientHeight);
+      expect(await isWhole()).toBe(true);
+      expect(await studio.message()).toContain(words.slice(-40).trim());
+      expect(await boxOf(page, '#result-model')).toEqual(model);
+      await studio.picture(`fault-${name}-read`);
+      await page.keyboard.press('Enter');
+      expect(await boxOf(page, '#message')).toEqual(message);
+      expect(await isWhole()).toBe(false);
+      // What fits has no button for more.
+      await page.locator('#message-close').click();
+      await studio.choose('empty.stl', '');
+      await studio.message();
+      if (name === 'desktop') expect(await more.isVisible()).toBe(false);
+      expect(studio.complaints).toEqual([]);
+    },
+    { viewport, folded: true },
+  ),
+);
 
 const sizes = [
   { width: 900, height: 700 },

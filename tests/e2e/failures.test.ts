@@ -55,7 +55,6 @@ test('a run that fails after a result leaves all of that result', () =>
     expect(await page.locator('#result-title').innerText()).toBe('ring');
     expect(await page.locator('#result #model-name').innerText()).toBe('ring.obj');
     expect(await page.locator('#result-pictures #pictures').count()).toBe(1);
-    // The words lie over the upper end of the picture.
     await page.locator('#message-close').click();
     await expect
       .poll(

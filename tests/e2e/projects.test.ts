@@ -185,6 +185,43 @@ test('two tabs on one project: both keep their work', () =>
     expect([...studio.complaints, ...other.complaints]).toEqual([]);
   }));
 
+/** Deletes all works for good by other means than the studio's, as another tab does an hour after it took them off the list. */
+function purge(page: Page): Promise<void> {
+  return page.evaluate(async () => {
+    const opening = indexedDB.open('foldwright');
+    const database = await new Promise<IDBDatabase>((done) => {
+      opening.onsuccess = () => done(opening.result);
+    });
+    const stores = [...database.objectStoreNames];
+    const change = database.transaction(stores, 'readwrite');
+    for (const store of stores) change.objectStore(store).clear();
+    await new Promise((done) => (change.oncomplete = done));
+    database.close();
+  });
+}
+
+test('work that another tab has deleted for good is said to be, and kept again in one press', () =>
+  withStudio(async (studio) => {
+    const { page } = studio;
+    const first = await unfold(studio);
+    await untilKept(page, isKept(first));
+    await purge(page);
+    const second = await split(studio, 2, first);
+    expect(await studio.message()).toMatch(/^“ring” was deleted on another page\s/);
+    expect(await kept(page)).toEqual([]);
+    // Whoever does not answer is asked again with the next change.
+    const third = await split(studio, 1, second);
+    expect(await studio.message()).toMatch(/^“ring” was deleted on another page\s/);
+    await press(page, 'Keep it');
+    const [record] = await untilKept(page, isKept(third));
+    expect(record).toMatchObject({ name: 'ring', hashes: [first, second, third] });
+    expect(await page.locator('#message').isHidden()).toBe(true);
+    await reload(studio);
+    await press(page, /^Go on with “ring”$/);
+    expect(await studio.resultOf('ring')).toBe(third);
+    expect(studio.complaints).toEqual([]);
+  }));
+
 test('a run that went on when the tab was closed is offered again', () =>
   withStudio(async (studio) => {
     const { page } = studio;

@@ -28,6 +28,8 @@ interface Entry {
 export interface KeeperListener {
   /** Another page has changed the same project: this one goes on as a copy of this name. */
   onCopy(name: string): void;
+  /** Another page has deleted it for good: nothing of it is kept any more, unless `keep` is called. */
+  onGone(name: string, keep: () => void): void;
   /** A change could not be saved. Not told again before one was. */
   onFault(error: KeepingError): void;
 }
@@ -183,6 +185,14 @@ export class Keeper {
     );
   }
 
+  /** What is on the page becomes a project of its own, if it is still the one that was deleted. */
+  private keepAgain(entry: Entry): void {
+    if (entry !== this.present) return;
+    Object.assign(entry, { ...newEntry(entry.kept.name), isEdited: true });
+    this.savedRun = null;
+    this.flush();
+  }
+
   private async write(
     entry: Entry,
     project: Project,
@@ -191,6 +201,9 @@ export class Keeper {
     const { order, keys } = orderOf(entry, project, how.isPending);
     const portrait = how.run && portraitFor(entry, how.run);
     const outcome = await this.host.call('save', order, portrait);
+    if (outcome.type === 'gone') {
+      return this.listener.onGone(entry.kept.name, () => this.keepAgain(entry));
+    }
     if (outcome.type === 'other') {
       const { name } = entry.kept;
       Object.assign(entry, { ...newEntry(nextName(name)), isEdited: entry.isEdited });

@@ -7,6 +7,7 @@ import { formatOfFile } from '../read/format.js';
 import { phraseOf } from '../words/phrase.js';
 import { Keeper } from './keeper.js';
 import { UnusableChoice, type ChosenModel } from './model-file.js';
+import type { Offer } from './message-panel.js';
 import { Panel } from './panel.js';
 import type { StudioPlace } from './place.js';
 import { ProjectHost, type KeepingError } from './project-host.js';
@@ -23,6 +24,8 @@ export interface DeskListener {
   /** A person wants to go on with it. */
   open(coming: Promise<ChosenModel>): void;
   tell(headline: string, ...sentences: string[]): void;
+  /** The same with a button. */
+  ask(offer: Offer, headline: string, ...sentences: string[]): void;
 }
 
 /** What was read of a file. @throws UnusableChoice if it cannot be read */
@@ -59,11 +62,16 @@ export class ProjectDesk extends Panel {
   /** Keeps the work from now on, and shows what was kept before. */
   async keep(): Promise<void> {
     const { life } = this.place;
+    const { listener } = this;
     this.keeper = new Keeper(
       this.store,
       this.host,
       {
         onCopy: (name) => this.tell(this.told.keeping.copied(name)),
+        onGone: (name, keep) => {
+          const { deletedElsewhere, keepIt } = this.told.keeping;
+          listener.ask({ words: keepIt, act: keep }, ...deletedElsewhere(name));
+        },
         onFault: ({ fault }) =>
           this.tell(fault === 'full' ? this.told.keeping.full : this.told.keeping.lost),
       },

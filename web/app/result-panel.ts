@@ -1,6 +1,7 @@
 import type { PrintedPage } from '../export/printed-pages.js';
 import type { JobResult, Notice } from '../model/job.js';
 import { otherNotices, resultNotices } from '../model/result-notices.js';
+import { CutText } from './cut-text.js';
 import { make } from './dom.js';
 import type { DownloadBar } from './download-bar.js';
 import { printOptions } from '../model/options.js';
@@ -40,6 +41,12 @@ export class ResultPanel extends Panel {
   private readonly panel = this.find('#result', HTMLElement);
   private readonly title = this.find('#result-title', HTMLElement);
   private readonly lead = this.find('#result-lead', HTMLElement);
+  private readonly leadCut = new CutText(
+    this.place,
+    this.find('#lead', HTMLElement),
+    this.lead,
+    this.find('#lead-more', HTMLButtonElement),
+  );
   private readonly facts = this.find('#facts', HTMLElement);
   private readonly remarks = this.find('#remarks', HTMLElement);
 
@@ -128,6 +135,7 @@ export class ResultPanel extends Panel {
     this.sheets.show(sheets, result, renamed);
     this.title.textContent = stem(model.name);
     this.lead.textContent = leadSentence(this.told, result, settings.paper);
+    this.leadCut.reset();
     this.facts.replaceChildren(
       ...resultFacts(this.told, result, settings.margin).map(([label, value]) =>
         make('div', {}, make('dt', { textContent: label }), make('dd', { textContent: value })),

@@ -34,8 +34,8 @@ export interface SaveOrder {
   picture: string | null;
 }
 
-/** `other`: somebody else has saved it meanwhile, or taken it away; nothing was written. */
-export type SaveOutcome = { type: 'saved'; kept: Kept } | { type: 'other' };
+/** `other`: somebody else has saved it meanwhile; `gone`: or deleted it for good. Nothing was written then. */
+export type SaveOutcome = { type: 'saved'; kept: Kept } | { type: 'other' } | { type: 'gone' };
 
 interface Schema extends DBSchema {
   cards: { key: string; value: Card };
@@ -100,6 +100,7 @@ export class Shelf {
     return this.change(async (change): Promise<SaveOutcome> => {
       const cards = change.objectStore('cards');
       const before = await cards.get(id);
+      if (!before && kept.revision > 0) return { type: 'gone' };
       if ((before?.revision ?? 0) !== kept.revision || (!before && !files))
         return { type: 'other' };
       // Another page may have given it a name.

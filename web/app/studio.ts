@@ -125,6 +125,7 @@ export class Studio extends Panel {
     this.desk = new ProjectDesk(place, this.store, {
       open: (coming) => void this.choose(coming),
       tell: (...words) => this.message.show(...words),
+      ask: (...words) => this.message.ask(...words),
     });
     const sheets = new SheetList(place, {
       point: (where) => this.pieces.point(this.edges.point(where) ? null : where),

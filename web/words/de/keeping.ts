@@ -36,5 +36,10 @@ export const keeping: Words['keeping'] = {
     'Diese Arbeit wurde auch auf einer anderen Seite geändert',
     `Beide bleiben: Was du hier siehst, geht weiter als ${quoted(name)}.`,
   ],
+  deletedElsewhere: (name) => [
+    `${quoted(name)} wurde auf einer anderen Seite gelöscht`,
+    'Was du hier siehst, wird nicht mehr aufgehoben. Behalte es, damit nichts verloren geht.',
+  ],
+  keepIt: 'Behalten',
   gone: (name) => `${quoted(name)} ist nicht mehr da.`,
 };

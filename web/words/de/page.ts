@@ -40,6 +40,8 @@ export const page: Words['page'] = {
     stopHint: 'Beendet die Suche und legt alle gefundenen Teile auf Blätter',
     stop: 'Anhalten und das nehmen',
     cancel: 'Abbrechen',
+    more: 'Alles lesen',
+    less: 'Weniger',
     close: 'Schließen',
   },
   tabs: {

@@ -38,5 +38,11 @@ export const keeping = {
     'This work was changed on another page, too',
     `Both are kept: what you see here goes on as ${quoted(name)}.`,
   ],
+  /** Of work that is open here: what happened, and what can be done. */
+  deletedElsewhere: (name: string): [string, string] => [
+    `${quoted(name)} was deleted on another page`,
+    'What you see here is not kept any more. Keep it, so that nothing is lost.',
+  ],
+  keepIt: 'Keep it',
   gone: (name: string): string => `${quoted(name)} is not there any more.`,
 };

@@ -40,6 +40,8 @@ export const page = {
     stopHint: 'Ends the search, and puts all pieces that are found on sheets',
     stop: 'Stop and use this',
     cancel: 'Cancel',
+    more: 'Read all',
+    less: 'Show less',
     close: 'Close',
   },
   tabs: {

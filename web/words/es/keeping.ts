@@ -36,5 +36,10 @@ export const keeping: Words['keeping'] = {
     'Este trabajo también se cambió en otra página',
     `Se guardan los dos: lo que ves aquí sigue como ${quoted(name)}.`,
   ],
+  deletedElsewhere: (name) => [
+    `${quoted(name)} se borró en otra página`,
+    'Lo que ves aquí ya no se guarda. Consérvalo para que no se pierda nada.',
+  ],
+  keepIt: 'Conservarlo',
   gone: (name) => `${quoted(name)} ya no está.`,
 };

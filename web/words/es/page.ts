@@ -40,6 +40,8 @@ export const page: Words['page'] = {
     stopHint: 'Termina la búsqueda y pone en hojas todas las piezas encontradas',
     stop: 'Parar y usar esto',
     cancel: 'Cancelar',
+    more: 'Leer todo',
+    less: 'Leer menos',
     close: 'Cerrar',
   },
   tabs: {

@@ -34,5 +34,10 @@ export const keeping: Words['keeping'] = {
     'Ce travail a aussi été modifié sur une autre page',
     `Les deux sont gardés\u202f: ce que tu vois ici continue sous le nom ${quoted(name)}.`,
   ],
+  deletedElsewhere: (name) => [
+    `${quoted(name)} a été supprimé sur une autre page`,
+    'Ce que tu vois ici n’est plus gardé. Garde-le pour que rien ne se perde.',
+  ],
+  keepIt: 'Le garder',
   gone: (name) => `${quoted(name)} n’est plus là.`,
 };

@@ -40,6 +40,8 @@ export const page: Words['page'] = {
     stopHint: 'Arrête la recherche et pose toutes les pièces trouvées sur des feuilles',
     stop: 'Arrêter et garder ça',
     cancel: 'Abandonner',
+    more: 'Tout lire',
+    less: 'Réduire',
     close: 'Fermer',
   },
   tabs: {

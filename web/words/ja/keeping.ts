@@ -36,5 +36,10 @@ export const keeping: Words['keeping'] = {
     'この作品は、別のページでも変更されました',
     `両方とも残しました。ここに見えている作品は${quoted(name)}として続けられます。`,
   ],
+  deletedElsewhere: (name) => [
+    `${quoted(name)}は、別のページで消されました`,
+    'ここに見えている作品は、もう保存されていません。なくならないように残してください。',
+  ],
+  keepIt: '残す',
   gone: (name) => `${quoted(name)}はもうありません。`,
 };

@@ -40,6 +40,8 @@ export const page: Words['page'] = {
     stopHint: '探すのをやめ、見つかった部品をすべてシートに並べます',
     stop: 'やめてこれを使う',
     cancel: 'キャンセル',
+    more: '全部読む',
+    less: '短くする',
     close: '閉じる',
   },
   tabs: {
