@@ -50,6 +50,26 @@ describe('NetsSoFar', () => {
     expect(netsAfter(found(0), shown(0, [0, 1]))).toEqual(['0: 0 1']);
   });
 
+  it('drops at the end of the search what was only tried, and has again what that had replaced', () => {
+    const labels = (...all: number[]): JobEvent => {
+      return { type: 'segmented', labels: Int32Array.from(all) };
+    };
+    const end: JobEvent = { type: 'stage', stage: 'compact', progress: 0.5 };
+    const parts = [shown(0, [0, 1]), found(0), shown(1, [2]), found(1), shown(1, [3]), found(1)];
+    // The whole body as one net, which comes to nothing better.
+    const tried = [labels(0, 0, 1, 1), ...parts, shown(0, [0, 1, 2, 3]), found(0)];
+    expect(netsAfter(...tried)).toEqual(['0: 0 1 2 3']);
+    expect(netsAfter(...tried, end).sort()).toEqual(['0: 0 1', '1: 2', '1: 3']);
+    // Or is taken: what is told then are other parts.
+    expect(netsAfter(...tried, labels(0, 0, 0, 0), end)).toEqual(['0: 0 1 2 3']);
+    // Pieces that become parts get the numbers of these; what nobody has told of stays.
+    const pieces = [...parts, labels(0, 0, 1, 2, 3), found(3), end];
+    expect(netsAfter(...pieces)).toEqual(['0: 0 1', '1: 2', '2: 3', '3: unknown']);
+    const nets = new NetsSoFar();
+    const changes = [...tried, end, end].map((event) => nets.follow(event));
+    expect(changes.slice(-2)).toEqual([true, false]);
+  });
+
   it('tells when there is something new to see', () => {
     const nets = new NetsSoFar();
     const events = [shown(0, [0]), found(0), shown(0, [0], [0]), shown(0, [0]), found(1)];

@@ -14,6 +14,14 @@ const generation = (part: number, overlaps: number): JobEvent & TimedEvent => {
 };
 const net = (part: number): JobEvent & TimedEvent => ({ type: 'net', part, piece: part });
 
+/** A net without overlaps, of these faces. */
+const shown = (part: number, ...faces: number[]): JobEvent => {
+  const sources = Int32Array.from(faces);
+  const corners = new Float32Array(6 * faces.length);
+  const overlapping = new Uint8Array(faces.length);
+  return { ...generation(part, 0), net: { corners, sources, overlapping } } as JobEvent;
+};
+
 function following(events: JobEvent[]): (number | null)[] {
   const progress = new PartsProgress();
   return events.map((event) => {
@@ -47,6 +55,35 @@ describe('PartsProgress', () => {
     const progress = new PartsProgress();
     for (const event of [segmented(0, 1), net(0), net(0)]) progress.follow(event);
     expect([progress.done, progress.parts]).toEqual([1, 2]);
+  });
+
+  it('counts a part that is cut in two once both halves have nets', () => {
+    const progress = new PartsProgress();
+    const events = [
+      segmented(0, 0, 0, 1, 1),
+      shown(0, 0, 1),
+      net(0),
+      shown(1, 3, 4),
+      net(1),
+      shown(0, 2),
+      net(0),
+      // Another try for all of it does not make it undone.
+      shown(0, 0),
+    ];
+    const done = events.map((event) => {
+      progress.follow(event);
+      return progress.done;
+    });
+    expect(done).toEqual([0, 0, 0, 0, 1, 1, 2, 2]);
+  });
+
+  it('counts a part that gives faces to another one when that has its net, too', () => {
+    const progress = new PartsProgress();
+    const events = [segmented(0, 0, 1), shown(0, 0), net(0), shown(1, 1, 2), net(1)];
+    for (const event of events.slice(0, 3)) progress.follow(event);
+    expect(progress.done).toBe(0);
+    for (const event of events.slice(3)) progress.follow(event);
+    expect(progress.done).toBe(2);
   });
 });
 

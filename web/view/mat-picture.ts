@@ -1,6 +1,5 @@
 import type { Context2d } from './context-2d.js';
 import type { FlatNet } from './flat-net.js';
-import { namePlace, writeName } from './net-name.js';
 import { paintNet } from './net-picture.js';
 import { rowsInView } from './rows-in-view.js';
 
@@ -12,15 +11,12 @@ export interface MatNet extends FlatNet {
 export interface PaintedMat {
   nets: readonly MatNet[];
   hatched: boolean;
-  /** In which what is not known, and numbers beside the nets, are written. */
+  /** In which what is not known is drawn. */
   ink: string;
 }
 
 /** Between two nets, as a share of their mean length. */
 const gapShare = 0.12;
-
-/** CSS pixels across the least net that has a number. */
-const leastNamed = 26;
 
 /** Where a shape is not known there is a frame for it. */
 function drawFrame(context: Context2d, ink: string, side: number): void {
@@ -32,7 +28,7 @@ function drawFrame(context: Context2d, ink: string, side: number): void {
 }
 
 function drawNetAt(context: Context2d, net: MatNet, scale: number, mat: PaintedMat): void {
-  const { corners, part, width, height } = net;
+  const { corners, part, width } = net;
   const faces = corners.length / 6;
   if (faces === 0) drawFrame(context, mat.ink, scale * width);
   else {
@@ -40,12 +36,12 @@ function drawNetAt(context: Context2d, net: MatNet, scale: number, mat: PaintedM
     const picture = { corners, sources: parts, overlapping: new Uint8Array(faces) };
     paintNet(context, { net: picture, parts, hatched: mat.hatched }, { scale, x: 0, y: 0 });
   }
-  if (scale * Math.min(width, height) < leastNamed) return;
-  const { x, y } = faces === 0 ? { x: width / 2, y: height / 2 } : namePlace(corners);
-  writeName(context, String(part + 1), scale * x, -scale * y);
 }
 
-/** Draws nets side by side into a canvas of this size, in rows, all at the same scale. */
+/**
+ * Draws nets side by side into a canvas of this size, in rows, all at the same scale. They have no names: letters go by
+ * the order of gluing, which is known when all are found.
+ */
 export function drawMat(context: Context2d, width: number, height: number, mat: PaintedMat): void {
   const { nets } = mat;
   if (nets.length === 0) return;

@@ -153,7 +153,7 @@ export const pictures: Words['pictures'] = {
     `${sheets === 1 ? 'dieses Blatt könnte' : `diese ${count(sheets, 'Blatt', 'Blätter')} könnten`} schon gedruckt werden; die Netze werden noch leichter zu bauen`,
   netsToCome: 'jedes kommt hierher, sobald es flach liegt',
   netsFound: (nets) =>
-    `bisher ${count(nets, 'Netz', 'Netze')} gefunden; die Blätter kommen am Schluss`,
+    `bisher ${count(nets, 'Netz', 'Netze')} gefunden; Buchstaben und Blätter kommen am Schluss`,
   noWebGl: 'Dieser Browser zeigt nichts in 3D, weil er kein WebGL 2 hat. Alles andere geht.',
   broken: 'Die 3D-Ansicht geht hier nicht. Alles andere schon.',
 };

@@ -168,7 +168,8 @@ export const pictures = {
   couldBePrinted: (sheets: number): string =>
     `${sheets === 1 ? 'this sheet' : `these ${count(sheets, 'sheet')}`} could be printed now; the nets are being made easier to build`,
   netsToCome: 'each comes here as soon as it lies flat',
-  netsFound: (nets: number): string => `${count(nets, 'net')} found so far; sheets come at the end`,
+  netsFound: (nets: number): string =>
+    `${count(nets, 'net')} found so far; letters and sheets come at the end`,
   noWebGl: 'This browser draws no 3D view, because it has no WebGL 2. All else works.',
   broken: 'The 3D view does not work here. All else does.',
 };

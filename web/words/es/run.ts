@@ -149,7 +149,7 @@ export const pictures: Words['pictures'] = {
     `${sheets === 1 ? 'esta hoja ya se puede' : `estas ${count(sheets, 'hoja', 'hojas')} ya se pueden`} imprimir; las plantillas se están haciendo más fáciles de montar`,
   netsToCome: 'cada una aparece aquí en cuanto queda plana',
   netsFound: (nets) =>
-    `${count(nets, 'plantilla encontrada', 'plantillas encontradas')} hasta ahora; las hojas vienen al final`,
+    `${count(nets, 'plantilla encontrada', 'plantillas encontradas')} hasta ahora; las letras y las hojas vienen al final`,
   noWebGl: 'Este navegador no dibuja vistas 3D porque no tiene WebGL 2. Todo lo demás funciona.',
   broken: 'La vista 3D no funciona aquí. Todo lo demás, sí.',
 };

@@ -150,7 +150,7 @@ export const pictures: Words['pictures'] = {
     `${sheets === 1 ? 'cette feuille peut déjà être imprimée' : `ces ${count(sheets, 'feuille', 'feuilles')} peuvent déjà être imprimées`}\u202f; les patrons deviennent encore plus faciles à monter`,
   netsToCome: 'chacun arrive ici dès qu’il tient à plat',
   netsFound: (nets) =>
-    `${count(nets, 'patron trouvé', 'patrons trouvés')} jusqu’ici\u202f; les feuilles viennent à la fin`,
+    `${count(nets, 'patron trouvé', 'patrons trouvés')} jusqu’ici\u202f; les lettres et les feuilles viennent à la fin`,
   noWebGl: 'Ce navigateur n’affiche pas de vue 3D, car il n’a pas WebGL 2. Tout le reste marche.',
   broken: 'La vue 3D ne marche pas ici. Tout le reste, si.',
 };

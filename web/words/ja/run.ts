@@ -139,7 +139,8 @@ export const pictures: Words['pictures'] = {
   couldBePrinted: (sheets) =>
     `この${figure(sheets)}枚のシートはもう印刷できます。いま展開図をもっと作りやすくしています`,
   netsToCome: '平らに広がったものから、ここに出ます',
-  netsFound: (nets) => `これまでに展開図が${figure(nets)}個見つかりました。シートは最後にできます`,
+  netsFound: (nets) =>
+    `これまでに展開図が${figure(nets)}個見つかりました。記号とシートは最後にできます`,
   noWebGl: 'このブラウザーにはWebGL 2がないので、3D表示ができません。ほかの機能は使えます。',
   broken: '3D表示はここでは動きません。ほかの機能は使えます。',
 };
