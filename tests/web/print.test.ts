@@ -138,6 +138,33 @@ describe('corrected sheets', () => {
     const { notices } = await printOf(cubeResult(), { margin: 0, options: { measured: [45, 45] } });
     expect(notices.map(({ code }) => code)).toContain('beyond-page');
   });
+
+  it.each([
+    [47, 50, 12],
+    [50, 47, 15],
+    [46, 48, 14],
+    [50, 48.5, 10],
+  ])(
+    'keep rulers, title and crosses on paper with the margin that is told: %d × %d mm',
+    async (...of) => {
+      const [across, up, margin] = of;
+      const print = (asked: number) =>
+        printOf(cubeResult(), { margin: asked, options: { measured: [across, up], duplex: true } });
+      const told = (await print(margin - 1)).notices.find(({ code }) => code === 'beyond-page');
+      expect(told?.params).toMatchObject({ margin_mm: margin });
+      const { backs, notices, sheets } = await print(margin);
+      expect(notices.map(({ code }) => code)).not.toContain('beyond-page');
+      for (const { width, height, frame } of [...sheets, ...backs]) {
+        const points = [
+          ...frame.strokes.flatMap((one) => one.points),
+          ...frame.texts.map((t) => t.at),
+        ];
+        for (const [x, y] of points) {
+          expect(Math.min(x, y, width - x, height - y)).toBeGreaterThanOrEqual(0);
+        }
+      }
+    },
+  );
 });
 
 describe('the legend', () => {

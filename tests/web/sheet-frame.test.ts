@@ -29,7 +29,7 @@ describe('frameSheet', () => {
     for (const margin of margins) {
       const { from, to } = bandOf(margin);
       const words = { title: 'A long name '.repeat(9), note: 'n'.repeat(30), words: english };
-      const { strokes, texts } = frameSheet({ width, height, margin, ...words, ends: 0 });
+      const { strokes, texts } = frameSheet({ width, height, margin, ...words, ends: 0, inset: 0 });
       const boxes = [...strokes.map(({ points }) => points), ...texts.map(cornersOf)];
       for (const points of boxes) {
         const low = [0, 1].map((k) => Math.min(...points.map((point) => point[k]!)));
@@ -49,7 +49,15 @@ describe('frameSheet', () => {
   });
 
   it('has shorter rulers on small paper', () => {
-    const plan = { width: 90, height: 60, margin: 5, title: 'box', note: 'sheet 1 of 1', ends: 0 };
+    const plan = {
+      width: 90,
+      height: 60,
+      margin: 5,
+      title: 'box',
+      note: 'sheet 1 of 1',
+      ends: 0,
+      inset: 0,
+    };
     const { texts } = frameSheet({ ...plan, words: english });
     const mark = ['this side', 'is outside'];
     const words = ['40 mm', '5 mm', '10 mm', ...mark, 'box', 'sheet 1 of 1'];

@@ -2,6 +2,7 @@
 import { bandHeight, bandOf } from '../model/sheet-room.js';
 import { bandLines, type Stroke } from './sheet-frame.js';
 import type { Point } from './point.js';
+import type { SheetDrawing } from './sheet-drawing.js';
 
 /** Of a cross, across and up: in the band it stays 0.75 mm away from pieces; mm. */
 const crossSize = 4;
@@ -16,8 +17,12 @@ function crossAt([x, y]: Point): Stroke[] {
 }
 
 /** One at the upper end of the band at the left, one at the right end of that below: far from each other. */
-export function alignmentCrosses(width: number, height: number, margin: number): Stroke[] {
-  const middle = bandOf(margin).from + bandHeight / 2;
+export function alignmentCrosses(
+  { width, height }: Pick<SheetDrawing, 'width' | 'height'>,
+  margin: number,
+  inset: number,
+): Stroke[] {
+  const middle = bandOf(margin, inset).from + bandHeight / 2;
   const inner = margin + crossSize / 2;
   return [...crossAt([middle, height - inner]), ...crossAt([width - inner, middle])];
 }

@@ -15,6 +15,8 @@ export interface BackPlan {
   count: number;
   /** Of the sheet; mm. */
   margin: number;
+  /** What the bands shall keep from the edge of the sheet; mm. */
+  inset: number;
   title: string;
   words: Words;
 }
@@ -44,9 +46,10 @@ function backOfPiece({ letter, mountains, valleys }: PieceDrawing, turn: Turn): 
 }
 
 /** What is said in the band that lies behind that below the pieces, between the crosses. */
-function textsOf({ sheet, number, count, margin, title, words }: BackPlan): TextLine[] {
+function textsOf(plan: BackPlan): TextLine[] {
+  const { sheet, number, count, margin, inset, title, words } = plan;
   const { width, height } = sheet;
-  const { from, to } = bandOf(margin);
+  const { from, to } = bandOf(margin, inset);
   const bottom = height >= width ? from : height - from - bandHeight;
   const left = Math.max(to, margin + crossRoom);
   const { size } = bandLines;
@@ -62,10 +65,10 @@ function textsOf({ sheet, number, count, margin, title, words }: BackPlan): Text
 
 /** The back of a sheet: mirrored once, about the axis along its long edge. */
 export function backOf(plan: BackPlan): SheetDrawing {
-  const { sheet, margin } = plan;
+  const { sheet, margin, inset } = plan;
   const { width, height, pieces } = sheet;
   const turn = turnOf(sheet);
-  const strokes = alignmentCrosses(width, height, margin).map((stroke) => ({
+  const strokes = alignmentCrosses(sheet, margin, inset).map((stroke) => ({
     ...stroke,
     points: stroke.points.map(turn),
   }));

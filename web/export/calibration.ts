@@ -1,11 +1,15 @@
 import { isCalibrated, rulerLength, type PrintOptions } from '../model/print-options.js';
+import { bandHeight } from '../model/sheet-room.js';
 import type { GroundShape } from './ground-shape.js';
 import type { Point } from './point.js';
 import type { SheetDrawing } from './sheet-drawing.js';
 import type { TextLine } from './text-line.js';
 
+/** What is known of a printer. */
+export type Printer = Pick<PrintOptions, 'machine' | 'measured'>;
+
 /** By how much lengths are drawn longer than they shall be on paper, across and up. */
-export function corrections(options: PrintOptions): [across: number, up: number] {
+export function corrections(options: Printer): [across: number, up: number] {
   if (!isCalibrated(options)) return [1, 1];
   const { measured } = options;
   return [rulerLength / measured[0], rulerLength / measured[1]];
@@ -51,6 +55,20 @@ export function calibrated(
       texts: texts(drawing.frame.texts),
     },
   };
+}
+
+/** What goes over the edge of a sheet with a correction, before it is corrected: mm from the edge. */
+export function lostBorder(
+  { width, height }: Pick<SheetDrawing, 'width' | 'height'>,
+  printer: Printer,
+): number {
+  const [across, up] = corrections(printer);
+  return Math.max(0, (width / 2) * (1 - 1 / across), (height / 2) * (1 - 1 / up));
+}
+
+/** The least margin, in whole mm, with which rulers and title stay on a sheet that is corrected. */
+export function marginFor(sheet: Pick<SheetDrawing, 'width' | 'height'>, printer: Printer): number {
+  return Math.ceil(lostBorder(sheet, printer) + bandHeight);
 }
 
 /** By how many mm something is drawn beyond the edge of its sheet; 0 if nothing is. */

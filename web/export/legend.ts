@@ -1,6 +1,7 @@
 /** What lines and numbers mean: only what occurs on the sheets. */
 import type { PrintOptions } from '../model/print-options.js';
 import { bandOf } from '../model/sheet-room.js';
+import { lostBorder } from './calibration.js';
 import type { Words } from '../words/words.js';
 import type { SheetFrame, Stroke } from './sheet-frame.js';
 import { FreeSpace } from './free-space.js';
@@ -152,8 +153,9 @@ function inUpperMargin(
   { width, height }: SheetDrawing,
   entries: Entry[],
   margin: number,
+  inset: number,
 ): SheetFrame | null {
-  const { from, to } = bandOf(margin);
+  const { from, to } = bandOf(margin, inset);
   const row = inColumns(entries, entries.length);
   if (to > margin || row.width > width - 2 * margin) return null;
   return movedBy(row.content, [margin, height - from - size - 1]);
@@ -168,18 +170,18 @@ function inUpperMargin(
 export function placeLegend(
   sheets: readonly SheetDrawing[],
   margin: number,
-  { foldTicks }: Pick<PrintOptions, 'foldTicks'>,
+  options: Pick<PrintOptions, 'foldTicks' | 'machine' | 'measured'>,
   words: Words,
 ): { sheet: number; legend: SheetFrame } | null {
   const entries = entriesFor(
     sheets.flatMap(({ pieces }) => pieces),
-    foldTicks,
+    options.foldTicks,
     words.sheets.legend,
   );
   for (const [sheet, drawing] of sheets.entries()) {
     const legend =
       onFreeSpace(drawing, entries, margin) ??
-      (sheet === 0 ? inUpperMargin(drawing, entries, margin) : null);
+      (sheet === 0 ? inUpperMargin(drawing, entries, margin, lostBorder(drawing, options)) : null);
     if (legend) return { sheet, legend };
   }
   return null;

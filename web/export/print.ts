@@ -10,7 +10,14 @@ import {
 } from '../model/print-options.js';
 import { alignmentCrosses, crossRoom } from './alignment-cross.js';
 import { backOf } from './back-page.js';
-import { calibrated, corrections, overrun } from './calibration.js';
+import {
+  calibrated,
+  corrections,
+  lostBorder,
+  marginFor,
+  overrun,
+  type Printer,
+} from './calibration.js';
 import { withFoldTicks } from './fold-ticks.js';
 import type { FontLoader } from './font-loader.js';
 import type { FontSet } from './font-set.js';
@@ -99,11 +106,18 @@ function noteOf(sheet: number, count: number, { options, words }: Drawn): string
   return `${page} · ${words.sheets.corrected(...options.measured)}`;
 }
 
-function noticesOf(sheets: readonly SheetDrawing[], lacksLegend: boolean): Notice[] {
+function noticesOf(
+  sheets: readonly SheetDrawing[],
+  lacksLegend: boolean,
+  printer: Printer,
+): Notice[] {
   const notices: Notice[] = [];
   if (lacksLegend) notices.push({ code: 'no-legend', params: {} });
   const beyond = Math.max(...sheets.map(overrun));
-  if (beyond > 0) notices.push({ code: 'beyond-page', params: { by_mm: beyond } });
+  if (beyond > 0) {
+    const margin = Math.max(...sheets.map((sheet) => marginFor(sheet, printer)));
+    notices.push({ code: 'beyond-page', params: { by_mm: beyond, margin_mm: margin } });
+  }
   return notices;
 }
 
@@ -135,8 +149,10 @@ function drawFronts(input: Drawn, images: ReadonlyMap<Piece, PieceImage>): Sheet
   return result.sheets.map(({ width, height }, sheet): SheetDrawing => {
     const note = noteOf(sheet, count, input);
     const ends = isTwoSided ? crossRoom : 0;
-    const frame = frameSheet({ width, height, margin, title: cleaned(title), note, ends, words });
-    if (isTwoSided) frame.strokes.push(...alignmentCrosses(width, height, margin));
+    const inset = lostBorder({ width, height }, options);
+    const size = { width, height, margin, inset };
+    const frame = frameSheet({ ...size, title: cleaned(title), note, ends, words });
+    if (isTwoSided) frame.strokes.push(...alignmentCrosses(size, margin, inset));
     const names = drawNamesBeside(result, sheet);
     frame.strokes.push(...names.strokes);
     frame.texts.push(...names.texts);
@@ -148,7 +164,10 @@ function drawBacks(fronts: readonly SheetDrawing[], input: Drawn): SheetDrawing[
   const { margin, options, words } = input;
   if (!printsBacks(options)) return [];
   const [title, count] = [cleaned(input.title), fronts.length];
-  return fronts.map((sheet, i) => backOf({ sheet, number: i + 1, count, margin, title, words }));
+  return fronts.map((sheet, i) => {
+    const inset = lostBorder(sheet, options);
+    return backOf({ sheet, number: i + 1, count, margin, inset, title, words });
+  });
 }
 
 /** Adds a legend, if it was asked for and one of the sheets has room; tells whether one is lacking. */
@@ -207,7 +226,11 @@ export async function preparePrint(input: PrintInput): Promise<Print> {
   const lacksLegend = addLegend(fronts, drawn);
   const sheets = fronts.map((sheet) => finished(sheet, options));
   const backs = drawBacks(fronts, drawn).map((back) => calibrated(back, corrections(options)));
-  const notices = [...told, ...noticesOf(sheets, lacksLegend), ...machineNotices(sheets, machine)];
+  const notices = [
+    ...told,
+    ...noticesOf(sheets, lacksLegend, options),
+    ...machineNotices(sheets, machine),
+  ];
   const pages = await drawPages(drawn);
   const texts = textsOf([...pages, ...sheets, ...backs]);
   const isText = machine === 'none' && texts.every(isPlain);

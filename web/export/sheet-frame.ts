@@ -32,6 +32,8 @@ export interface SheetFramePlan {
   note: string;
   /** What stays free at the far ends of both bands; mm. */
   ends: number;
+  /** What the bands shall keep from the edge of the sheet; mm. */
+  inset: number;
   words: Words;
 }
 
@@ -146,8 +148,8 @@ interface Row {
 }
 
 /** Ruler and box: on small paper the ruler is shorter, and the box is in the corner. */
-function measures(margin: number, room: number): Row {
-  const { from, to } = bandOf(margin);
+function measures({ margin, inset }: SheetFramePlan, room: number): Row {
+  const { from, to } = bandOf(margin, inset);
   const across = rulerFor(room - unitWidth);
   const parts = across > 0 ? [ruler(across, 0, [to, from + bandHeight - lineRoom])] : [];
   const left = across > 0 ? to + across + unitWidth : to;
@@ -161,8 +163,9 @@ function measures(margin: number, room: number): Row {
 }
 
 /** The ruler at the left, and above it what has no room below. */
-function leftBand({ margin, height, ends, words }: SheetFramePlan, hasMark: boolean): SheetFrame[] {
-  const { from, to } = bandOf(margin);
+function leftBand(plan: SheetFramePlan, hasMark: boolean): SheetFrame[] {
+  const { margin, height, ends, inset, words } = plan;
+  const { from, to } = bandOf(margin, inset);
   const width = outsideWidth(words);
   const mark = hasMark ? width + gap : 0;
   const room = height - ends - margin - to;
@@ -178,11 +181,11 @@ function leftBand({ margin, height, ends, words }: SheetFramePlan, hasMark: bool
 
 /** The frame of one sheet. On paper too small for all of it some parts are smaller or left out. */
 export function frameSheet(plan: SheetFramePlan): SheetFrame {
-  const { width, margin, title, note, ends, words } = plan;
-  const { from, to } = bandOf(margin);
+  const { width, margin, title, note, ends, inset, words } = plan;
+  const { from, to } = bandOf(margin, inset);
   const end = width - margin - ends;
   const noteWidth = widthAtMost(note, textSize);
-  const { parts, left: first } = measures(margin, end - to - noteWidth);
+  const { parts, left: first } = measures(plan, end - to - noteWidth);
   const behind = first + outsideWidth(words) + gap;
   const isBelow = behind + noteWidth <= end;
   if (isBelow) parts.push(outsideMark(0, [first, from], words));

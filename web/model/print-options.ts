@@ -93,7 +93,10 @@ export const defaultPrint: Readonly<PrintOptions> = {
 };
 
 /** Whether sheets are corrected for a printer. Machines cut true to size, whatever printers do. */
-export function isCalibrated({ machine, measured }: PrintOptions): boolean {
+export function isCalibrated({
+  machine,
+  measured,
+}: Pick<PrintOptions, 'machine' | 'measured'>): boolean {
   return machine === 'none' && measured.some((length) => length !== rulerLength);
 }
 

@@ -15,10 +15,15 @@ export const unprinted = 4;
 /** Height of the bands for rulers and title along the left and the lower edge; mm. */
 export const bandHeight = 5.5;
 
-/** Where the bands begin, and where pieces do, from the left and the lower edge; mm. */
-export function bandOf(margin: number): { from: number; to: number } {
-  const from = Math.min(margin, unprinted);
-  return { from, to: Math.max(margin, from + bandHeight) };
+/**
+ * Where the bands begin, and where pieces do, from the left and the lower edge; mm.
+ *
+ * @param inset what the bands shall keep from the edge, as far as that leaves the pieces where they are
+ */
+export function bandOf(margin: number, inset = 0): { from: number; to: number } {
+  const usual = Math.min(margin, unprinted);
+  const to = Math.max(margin, usual + bandHeight);
+  return { from: Math.max(usual, Math.min(inset, to - bandHeight)), to };
 }
 
 /**

@@ -304,7 +304,8 @@ export interface OwnMessages {
   'not-pinned': { piece: number };
   'not-together': None;
   'no-legend': None;
-  'beyond-page': { by_mm: number };
+  /** And the margin with which nothing runs over it. */
+  'beyond-page': { by_mm: number; margin_mm: number };
   'missing-glyphs': { letters: string[] };
   'fonts-not-loaded': None;
   'no-looks': None;

@@ -287,8 +287,8 @@ export const messages: Table = {
   'not-together': () =>
     'nur Änderungen an Laschen allein, oder solche, die Abschnitte teilen und vereinen, lassen sich auf einmal machen',
   'no-legend': () => 'kein Blatt hat Platz für die Zeichenerklärung',
-  'beyond-page': ({ by_mm }) =>
-    `für diesen Drucker korrigiert, ragen Linien ${fixed(by_mm, 1)} mm über den Rand der Seite: Wähle einen breiteren Rand`,
+  'beyond-page': ({ by_mm, margin_mm }) =>
+    `für diesen Drucker korrigiert, ragen Linien ${fixed(by_mm, 1)} mm über den Rand der Seite; mit einem Rand von ${figure(margin_mm)} mm (--margin ${margin_mm}) bleiben sie darauf`,
   'missing-glyphs': ({ letters }) =>
     `keine Schrift hat ${letters.join(' ')}: Dafür wird ein Kästchen gedruckt`,
   'fonts-not-loaded': () =>

@@ -278,8 +278,8 @@ export const messages: Table = {
   'not-together': () =>
     'only edits of flaps alone, or edits that split and merge parts, can be made in one go',
   'no-legend': () => 'no sheet has room for the legend',
-  'beyond-page': ({ by_mm }) =>
-    `corrected for this printer, lines run ${fixed(by_mm, 1)} mm over the edge of the page: choose a wider margin`,
+  'beyond-page': ({ by_mm, margin_mm }) =>
+    `corrected for this printer, lines run ${fixed(by_mm, 1)} mm over the edge of the page; with a margin of ${figure(margin_mm)} mm (--margin ${margin_mm}) they stay on it`,
   'missing-glyphs': ({ letters }) =>
     `no font has ${letters.join(' ')}: a box is printed in its place`,
   'fonts-not-loaded': () =>

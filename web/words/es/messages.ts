@@ -279,8 +279,8 @@ export const messages: Table = {
   'not-together': () =>
     'solo los cambios de pestañas, o los que dividen y unen partes, se pueden hacer de una vez',
   'no-legend': () => 'ninguna hoja tiene sitio para la leyenda',
-  'beyond-page': ({ by_mm }) =>
-    `al corregir para esta impresora, hay líneas que se salen ${fixed(by_mm, 1)} mm del borde de la página: elige un margen más ancho`,
+  'beyond-page': ({ by_mm, margin_mm }) =>
+    `al corregir para esta impresora, hay líneas que se salen ${fixed(by_mm, 1)} mm del borde de la página; con un margen de ${figure(margin_mm)} mm (--margin ${margin_mm}) se quedan dentro`,
   'missing-glyphs': ({ letters }) =>
     `ninguna fuente tiene ${letters.join(' ')}: en su lugar se imprime un recuadro`,
   'fonts-not-loaded': () =>

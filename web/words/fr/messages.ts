@@ -293,8 +293,8 @@ export const messages: Table = {
   'not-together': () =>
     'seules les modifications de languettes, ou celles qui divisent et réunissent des parties, peuvent se faire d’un seul coup',
   'no-legend': () => 'aucune feuille n’a de place pour la légende',
-  'beyond-page': ({ by_mm }) =>
-    `avec la correction pour cette imprimante, des lignes dépassent le bord de la page de ${fixed(by_mm, 1)} mm\u202f: choisis une marge plus large`,
+  'beyond-page': ({ by_mm, margin_mm }) =>
+    `avec la correction pour cette imprimante, des lignes dépassent le bord de la page de ${fixed(by_mm, 1)} mm\u202f; avec une marge de ${figure(margin_mm)} mm (--margin ${margin_mm}), elles y restent`,
   'missing-glyphs': ({ letters }) =>
     `aucune police n’a ${letters.join(' ')}\u202f: un carré est imprimé à la place`,
   'fonts-not-loaded': () =>

@@ -278,8 +278,8 @@ export const messages: Table = {
   'not-together': () =>
     '一度にまとめてできるのは、のりしろだけの編集か、ブロックを分けたりまとめたりする編集だけです',
   'no-legend': () => '凡例を置く場所が、どのシートにもありません',
-  'beyond-page': ({ by_mm }) =>
-    `このプリンターに合わせて補正すると、線がページの端から${fixed(by_mm, 1)} mmはみ出します。余白を広くしてください`,
+  'beyond-page': ({ by_mm, margin_mm }) =>
+    `このプリンターに合わせて補正すると、線がページの端から${fixed(by_mm, 1)} mmはみ出します。余白を${figure(margin_mm)} mm（--margin ${margin_mm}）にすると、はみ出しません`,
   'missing-glyphs': ({ letters }) =>
     `${letters.join(' ')}のあるフォントがないので、代わりに四角を印刷します`,
   'fonts-not-loaded': () =>
