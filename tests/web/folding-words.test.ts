@@ -5,7 +5,7 @@ import { stepWords } from '../../web/app/step-words.js';
 import { modelMarks } from '../../web/app/model-marks.js';
 import { stepTimes } from '../../web/model/choreography.js';
 import { assemblySteps } from '../../web/model/assembly-steps.js';
-import type { Piece } from '../../web/model/job.js';
+import type { JobResult, Piece } from '../../web/model/job.js';
 import { secondOf, tempoFor, timeAt } from '../../web/model/tempo.js';
 import { english } from '../../web/words/en/index.js';
 import { beakResult, boxAndLidResult, cubeResult } from './fixtures.js';
@@ -65,19 +65,27 @@ describe('the words of a folding', () => {
 });
 
 describe('the words of a step', () => {
-  const wordsOf = (pieces: readonly Piece[]) =>
-    assemblySteps(pieces).map((step) => stepWords(english, step, pieces));
+  const wordsOf = (result: JobResult) =>
+    assemblySteps(result.pieces).map((step) => stepWords(english, step, result));
 
   it('say how a piece is creased, closed and glued', () => {
-    const [box, lid] = wordsOf(boxAndLidResult().pieces);
+    const [box, lid] = wordsOf(boxAndLidResult());
     expect(box).toBe('crease its 4 folds as mountains. Close its seam.');
     expect(lid).toBe('it has no folds. Glue it to A along 4 edges.');
   });
 
+  it('count edges as they are numbered on the sheets', () => {
+    const result = boxAndLidResult();
+    const between = result.seams.filter(({ pieces: [one, other] }) => one !== other);
+    // Two of the four edges lie in a straight line, and have one number.
+    const [first, second, ...others] = between;
+    const modelEdges = Int32Array.of(...first!.modelEdges, ...second!.modelEdges).sort();
+    const seams = [{ ...first!, modelEdges }, ...others];
+    expect(wordsOf({ ...result, seams })[1]).toContain('Glue it to A along 3 edges.');
+  });
+
   it('name the few folds that differ', () => {
-    expect(wordsOf(beakResult().pieces)[0]).toMatch(
-      /^crease its 3 folds as \w+s, then turn this one/,
-    );
+    expect(wordsOf(beakResult())[0]).toMatch(/^crease its 3 folds as \w+s, then turn this one/);
   });
 });
 

@@ -25,7 +25,7 @@ export class StepsPanel extends Panel {
   private readonly list = this.find('#steps', HTMLOListElement);
   private readonly count = this.find('#steps-count', HTMLElement);
   private readonly memory = new DoneSteps(() => localStorage);
-  private result: Pick<JobResult, 'hash' | 'model' | 'pieces'> | null = null;
+  private result: JobResult | null = null;
   /** Those of the result that are done, from 0. */
   private done = new Set<number>();
 
@@ -41,7 +41,7 @@ export class StepsPanel extends Panel {
   }
 
   /** Takes the pieces of another result. */
-  offer(result: Pick<JobResult, 'hash' | 'model' | 'pieces'>): void {
+  offer(result: JobResult): void {
     this.result = result;
     this.done = this.memory.of(result.hash);
     this.list.replaceChildren();
@@ -55,13 +55,15 @@ export class StepsPanel extends Panel {
   }
 
   private fill(): void {
-    const steps = assemblySteps(this.pieces);
+    const { result } = this;
+    if (!result) return;
+    const steps = assemblySteps(result.pieces);
     const items = steps.map((step, rank) => {
       const row = make(
         'div',
         { className: 'steps__row' },
         this.tick(step, rank),
-        this.button(step, rank),
+        this.button(step, rank, stepWords(this.told, step, result)),
       );
       return make('li', {}, row);
     });
@@ -85,11 +87,10 @@ export class StepsPanel extends Panel {
     return make('label', { className: 'steps__tick' }, box);
   }
 
-  private button(step: AssemblyStep, rank: number): HTMLButtonElement {
+  private button(step: AssemblyStep, rank: number, words: string): HTMLButtonElement {
     const letter = this.pieces[step.piece]!.name;
     const name = make('strong', { textContent: this.told.steps.piece(letter) });
-    const words = ` ${stepWords(this.told, step, this.pieces)}`;
-    const button = make('button', { type: 'button', className: 'step' }, name, words);
+    const button = make('button', { type: 'button', className: 'step' }, name, ` ${words}`);
     button.setAttribute('aria-pressed', 'false');
     button.addEventListener('click', () => this.press(button, step, rank));
     return button;

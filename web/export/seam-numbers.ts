@@ -1,7 +1,7 @@
 import type { JobResult, NamedSeam } from '../model/job.js';
 
 /** The seams by their edges of the model. */
-export function seamsByEdge({ seams }: JobResult): Map<number, NamedSeam> {
+export function seamsByEdge({ seams }: Pick<JobResult, 'seams'>): Map<number, NamedSeam> {
   return new Map(seams.flatMap((seam) => Array.from(seam.modelEdges, (edge) => [edge, seam])));
 }
 
