@@ -14,7 +14,10 @@ export class LitResults {
   constructor(private readonly model: OpenedModel) {}
 
   /** A state whose result can be printed as it is asked for. Cost: reading the model, unless the engine still has it. */
-  async of(state: DocumentState, { signal }: WorkOptions): Promise<DocumentState> {
+  async of<State extends Pick<DocumentState, 'wishes' | 'result'>>(
+    state: State,
+    { signal }: WorkOptions,
+  ): Promise<State> {
     const { wishes, result } = state;
     const isLacking = result.deviation > 0 && originalOf(result) === null;
     if (!isLacking || !printsShading(printOf(wishes))) return state;
