@@ -69,7 +69,9 @@ async function readObj(
   const loader = new OBJLoader(manager);
   const library = files.find(({ name }) => name.toLowerCase().endsWith('.mtl'));
   if (library) {
-    const creator = new MTLLoader(manager).parse(new TextDecoder().decode(bytesOf(library)), '');
+    // The loader takes blanks alone, one between words and none at ends of lines.
+    const lines = new TextDecoder().decode(bytesOf(library)).replace(/[\t ]+/g, ' ');
+    const creator = new MTLLoader(manager).parse(lines.replace(/ *\r?\n/g, '\n'), '');
     manager.itemStart('materials');
     const loaded = allLoaded(manager);
     creator.preload();

@@ -9,6 +9,10 @@ export interface TexturedCase {
   files: ModelFile[];
   /** To which it is simplified. */
   faces?: number;
+  /** Whether faces lie beside the surface that they are compared with. */
+  isBeside: boolean;
+  /** Whether three.js reads all of it. */
+  isReadElsewhere: boolean;
 }
 
 const folders = ['textured', 'crafts', 'gltf', 'obj-mtl', '3mf', 'pdo', 'lowpoly'];
@@ -19,6 +23,12 @@ const simplified: Readonly<Record<string, number>> = {
   'obj-mtl/texture-name-space/fuze.obj': 300,
   'crafts/fox.glb': 300,
 };
+
+/** Quads that are not flat, which other programs cut along their other diagonals. */
+const bent: readonly string[] = ['textured/spot/spot_control_mesh.obj'];
+
+/** What three.js has no reader for, or reads in part. */
+const unread = /\.pdo$|material_multiproperties/;
 
 function filesBelow(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true, recursive: true })
@@ -49,7 +59,12 @@ function caseOf(root: string, path: string): TexturedCase {
   const others = new Set(
     named.length > 0 ? ownLibrary.filter((file) => !named.includes(file)) : [],
   );
-  return { name, files: files.filter((file) => !others.has(file)) };
+  return {
+    name,
+    files: files.filter((file) => !others.has(file)),
+    isBeside: bent.includes(name),
+    isReadElsewhere: !unread.test(name),
+  };
 }
 
 export function* texturedCases(shared: string): Generator<TexturedCase> {
@@ -59,7 +74,7 @@ export function* texturedCases(shared: string): Generator<TexturedCase> {
       const whole = caseOf(root, path);
       yield whole;
       const faces = simplified[whole.name];
-      if (faces) yield { ...whole, name: `${whole.name}, ${faces} faces`, faces };
+      if (faces) yield { ...whole, name: `${whole.name}, ${faces} faces`, faces, isBeside: true };
     }
   }
 }
