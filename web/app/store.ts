@@ -1,32 +1,31 @@
 import type { CarriedEdits } from '../api/carry-edits.js';
-import type { DocumentState } from '../api/document-state.js';
-import type { RunWork } from '../api/work.js';
-import { JobError } from '../core/job-error.js';
 import type { TimedEvent } from '../core/protocol.js';
 import type { DocumentEdit } from '../model/document-edits.js';
-import { isRenaming, renamedBy } from '../model/edits.js';
+import { isNamed, isRenaming } from '../model/edits.js';
 import type { JobResult } from '../model/job.js';
 import type { PartName } from '../model/job-options.js';
 import type { Settings } from '../model/options.js';
 import type { Check } from './check.js';
 import { Choice } from './choice.js';
 import { touchedParts } from './edit-words.js';
-import { failureOf, type Ending } from './ending.js';
+import type { Ending } from './ending.js';
 import { editedRun, type FinishedRun } from './finished-run.js';
 import { Inspector } from './inspector.js';
 import type { ChosenModel } from './model-file.js';
 import type { FieldValues } from './pending-settings.js';
-import { mayFollow, paceOf, type Pace, type Step } from './pace.js';
+import { OnPage, type Presented } from './on-page.js';
+import { paceOf, type Pace, type Step } from './pace.js';
+import { PendingSteps } from './pending-steps.js';
 import { replacing, unfolding, type NextRun } from './next-run.js';
 import { never } from './place.js';
 import type { Aspect, Wishes } from './quick-looks.js';
-import { sessionIn } from './replaced-model.js';
 import { finishedParts } from './result-words.js';
 import { RunPictures } from './run-pictures.js';
 import type { Scene, Topic, Work } from './scene.js';
 import type { OpenModel, StoreNeeds } from './store-needs.js';
 import { Topics } from './topics.js';
 import { WorkEnd } from './work-end.js';
+import { makeRun, makeStep, type Watch } from './work-outcome.js';
 import type { Project } from '../project/project.js';
 
 /** Gets what the pictures of a run go into. */
@@ -36,23 +35,15 @@ type Begin = (pictures: RunPictures) => void;
  * The state of a studio: the model that is chosen, its document with the history, what is being done,
  * and the run on the page. Commands change it, panels hear of it by topics and keep nothing of it. What
  * is on the page and the document's cursor agree whenever nothing is being done.
- *
- * A little longer than other files: all of it changes the same few fields.
  */
 export class Store {
   readonly choice = new Choice();
-  private shownRun: FinishedRun | null = null;
-  private session: OpenModel | null = null;
+  private readonly page = new OnPage();
   private readonly inspector: Inspector;
-  /** The session's, of the run on the page. */
-  private shownPosition = 0;
-  /** What was shown last of each session, where a history has several. */
-  private readonly runsOf = new WeakMap<OpenModel, FinishedRun>();
   private presentScene: Scene = 'welcome';
   private selected: readonly number[] = [];
   private isRunning = false;
-  private steps: Step[] = [];
-  private lastStep: Promise<unknown> = Promise.resolve();
+  private readonly steps = new PendingSteps();
   private end = new WorkEnd();
   /** Counts runs: one takes over from whatever went on before. */
   private runs = 0;
@@ -73,12 +64,12 @@ export class Store {
 
   /** What the page shows; null until there is a result. */
   get run(): FinishedRun | null {
-    return this.shownRun;
+    return this.page.run;
   }
 
   get work(): Work {
     if (this.isRunning) return 'running';
-    return this.steps.length > 0 ? 'editing' : 'idle';
+    return this.steps.isEmpty ? 'idle' : 'editing';
   }
 
   get scene(): Scene {
@@ -92,7 +83,7 @@ export class Store {
 
   /** Whether parts cannot be changed now, as their numbers are about to. */
   get busy(): boolean {
-    return this.isRunning || this.steps.some(({ pace }) => pace !== 'light');
+    return this.isRunning || this.steps.areHeavy;
   }
 
   /** Whether undo and redo would be heard. */
@@ -102,17 +93,17 @@ export class Store {
 
   /** What undo would take back; null if there is nothing. */
   get undoable(): readonly DocumentEdit[] | null {
-    return this.session?.lastStep ?? null;
+    return this.page.undoable;
   }
 
   /** The result that undo leads to, where it is at hand. */
   get before(): JobResult | null {
-    return this.session?.before ?? null;
+    return this.page.before;
   }
 
   /** What redo would make again; null if there is nothing. */
   get redoable(): readonly DocumentEdit[] | null {
-    return this.session?.nextStep ?? null;
+    return this.page.redoable;
   }
 
   /** Parts that are chosen, from 0, ascending. */
@@ -122,10 +113,7 @@ export class Store {
 
   /** Names of parts, with those that are on their way to the page. */
   get names(): readonly PartName[] {
-    // Which names a move leads to is not known before.
-    const isMoving = this.steps.some(({ pace }) => pace === 'move');
-    const edits = isMoving ? [] : this.steps.flatMap((step) => step.edits);
-    return renamedBy(edits, this.shownRun?.result.names ?? []);
+    return this.steps.named(this.run?.result.names ?? []);
   }
 
   /** Takes a model; false if a later choice was quicker. A choice that is no model rejects and changes nothing. */
@@ -148,15 +136,9 @@ export class Store {
     const number = this.begin();
     const inspecting = this.inspector.inspect(model, wishes, this.end.left);
     this.choice.open();
-    this.presentScene = this.shownRun ? 'result' : 'empty';
+    this.presentScene = this.run ? 'result' : 'empty';
     this.notify('choice', 'check', 'work', 'scene');
-    const ending = await inspecting;
-    if (this.needs.life.aborted) return never();
-    if (number !== this.runs) return { type: 'nothing' };
-    this.isRunning = false;
-    if (ending.type === 'inspected') this.choice.accept(ending.check.name);
-    this.endRun(ending);
-    return ending;
+    return this.ended(number, inspecting);
   }
 
   /** Lets the chosen file, which brings its nets along, fill the page as it is; ends whatever goes on. */
@@ -174,7 +156,7 @@ export class Store {
 
   /** Lets the run before fill the page again. */
   leaveExhibit(): void {
-    if (!this.shownRun) return;
+    if (!this.run) return;
     this.selected = [];
     this.presentScene = 'result';
     this.notify('scene', 'selection');
@@ -200,14 +182,14 @@ export class Store {
 
   /** Chooses a part, from 0, or no longer. */
   toggle(part: number): void {
-    if (this.busy || part >= (this.shownRun?.result.parts ?? 0)) return;
+    if (this.busy || part >= (this.run?.result.parts ?? 0)) return;
     const others = this.selected.filter((other) => other !== part);
     this.select(others.length < this.selected.length ? others : [...others, part]);
   }
 
   /** The document on the page as it can be kept; null until there is one. */
   get document(): Project | null {
-    return this.session?.project() ?? null;
+    return this.page.document;
   }
 
   /** Resolves when nothing is being done. */
@@ -227,7 +209,7 @@ export class Store {
    * goes back to the model before, with its edits.
    */
   async replace(begin?: Begin): Promise<{ ending: Ending; carried: CarriedEdits }> {
-    const { session, shownRun: run } = this;
+    const { run, session } = this.page;
     const { model } = this.choice;
     let carried: CarriedEdits = { kept: 0, lost: [] };
     if (!model || !session || !run) return { ending: { type: 'nothing' }, carried };
@@ -242,15 +224,10 @@ export class Store {
     const pictures = new RunPictures(next.model.name);
     this.choice.open();
     // A model that is being looked at stays until the run has pictures of its own.
-    if (this.presentScene !== 'check') this.presentScene = this.shownRun ? 'result' : 'empty';
+    if (this.presentScene !== 'check') this.presentScene = this.run ? 'result' : 'empty';
     begin(pictures);
     this.notify('choice', 'work', 'scene');
-    const ending = await this.runNow(next, pictures);
-    if (this.needs.life.aborted) return never();
-    if (number !== this.runs) return { type: 'nothing' };
-    this.isRunning = false;
-    this.endRun(ending);
-    return ending;
+    return this.ended(number, this.runNow(next, pictures));
   }
 
   /** Ends what is being done; all goes back to what was before. */
@@ -264,7 +241,7 @@ export class Store {
    * for which every edit goes on to look.
    */
   get canStop(): boolean {
-    const { result } = this.shownRun ?? {};
+    const { result } = this.run ?? {};
     const lacksParts = result && finishedParts(result) < result.parts;
     return (this.isRunning || lacksParts === true) && this.work !== 'idle' && this.end.canStop;
   }
@@ -276,7 +253,8 @@ export class Store {
 
   /** Makes edits in one go. While parts change their numbers no other edit is taken. */
   apply(edits: readonly DocumentEdit[]): Promise<Ending> {
-    if (edits.every((edit) => this.isNamed(edit))) return Promise.resolve({ type: 'nothing' });
+    const { names } = this;
+    if (edits.every((edit) => isNamed(edit, names))) return Promise.resolve({ type: 'nothing' });
     const make: Step['make'] = (session, work) => session.apply(edits, work);
     return this.step({ pace: paceOf(edits), edits, make });
   }
@@ -303,43 +281,21 @@ export class Store {
     return ++this.runs;
   }
 
-  /** Whether an edit gives a part the name that it has. */
-  private isNamed(edit: DocumentEdit): boolean {
-    if (edit.kind !== 'name') return false;
-    const name = this.names.find(({ part }) => part === edit.part - 1)?.name ?? '';
-    return name === edit.text;
-  }
-
   private accepts(pace: Pace): boolean {
-    return !this.isRunning && this.steps.every((step) => mayFollow(pace, step.pace));
+    return !this.isRunning && this.steps.accept(pace);
   }
 
-  /** Each run has a session of its own: that of the page stays until there is another run to show. */
   private async runNow(next: NextRun, pictures: RunPictures): Promise<Ending> {
+    const made = await makeRun(next, pictures, this.watch());
+    if ('type' in made) return made;
+    const { run, session, isWhole } = made;
+    return this.present(run, { session, isWhole, position: session.position });
+  }
+
+  /** For work that begins now. */
+  private watch(): Watch {
     const { end } = this;
-    let [wasRead, isWhole] = [false, true];
-    const onEvent = (event: TimedEvent): void => {
-      wasRead ||= event.type === 'model';
-      if (event.type === 'cancelled') isWhole = false;
-      this.follow(event, end);
-    };
-    const work: RunWork = {
-      signal: end.left,
-      stop: end.stopped,
-      onEvent,
-      pictures: true,
-      drafts: true,
-    };
-    try {
-      const session = await next.make(work);
-      const run = await next.finished(session, pictures);
-      return await this.present(run, { session, isWhole, position: session.position });
-    } catch (error) {
-      if (end.left.aborted) return { type: 'cancelled' };
-      if (end.stopped.aborted) return { type: 'empty' };
-      if (!(error instanceof JobError)) throw error;
-      return failureOf(error, wasRead);
-    }
+    return { end, onEvent: (event) => this.follow(event, end) };
   }
 
   private follow(event: TimedEvent, end: WorkEnd): void {
@@ -357,95 +313,63 @@ export class Store {
     if (end.follow(event)) this.notify('work');
   }
 
-  /** A file that cannot be read is not the chosen one any more. */
-  private endRun(ending: Ending): void {
+  /** The end of what `begin` has given a number. A file that cannot be read is not the chosen one any more. */
+  private async ended(number: number, work: Promise<Ending>): Promise<Ending> {
+    const ending = await work;
+    if (this.needs.life.aborted) return never();
+    if (number !== this.runs) return { type: 'nothing' };
+    this.isRunning = false;
+    if (ending.type === 'inspected') this.choice.accept(ending.check.name);
     if (ending.type === 'failed' && ending.cause === 'file') this.choice.drop(ending.code);
     else this.choice.leave();
     this.presentScene = this.restingScene;
     this.notify('choice', 'check', 'work', 'scene');
+    return ending;
   }
 
   /** What fills the page while nothing is being done. */
   private get restingScene(): Scene {
-    if (this.shownRun) return 'result';
+    if (this.run) return 'result';
     if (this.check?.hasToDecide) return 'check';
     if (this.choice.model?.exhibit) return 'exhibit';
     return this.presentScene === 'pictures' ? 'pictures' : 'welcome';
   }
 
   private async step(step: Step): Promise<Ending> {
-    const { session } = this;
+    const { session } = this.page;
     if (!session || !this.accepts(step.pace)) return { type: 'nothing' };
-    if (this.steps.length === 0 || this.end.stopped.aborted) this.end = new WorkEnd();
-    this.steps.push(step);
+    if (this.steps.isEmpty || this.end.stopped.aborted) this.end = new WorkEnd();
+    this.steps.add(step);
     this.notify('work');
     try {
       return await this.stepNow(session, step);
     } finally {
-      this.steps = this.steps.filter((other) => other !== step);
-      if (this.steps.length === 0) this.comeBack(session);
+      this.steps.remove(step);
+      if (this.steps.isEmpty) this.page.comeBack(session);
       this.notify('work');
     }
   }
 
   private async stepNow(session: OpenModel, step: Step): Promise<Ending> {
-    const { end } = this;
-    // The next step can be made while this one is drawn.
-    const made = this.lastStep.then(() => this.make(session, step, end));
-    this.lastStep = made.catch(() => undefined);
+    const watch = this.watch();
     const { runs } = this;
-    const outcome = await made;
+    const { outcome, shown } = await this.steps.inTurn(async () => {
+      const outcome = await makeStep(session, step, watch);
+      // Of the model that the step has led to, which may be another one by the time at which the page shows it.
+      return { outcome, shown: this.page.lastOf(session) };
+    });
     if (this.needs.life.aborted) return never();
     if ('type' in outcome) return outcome;
-    if (!this.shownRun || runs !== this.runs) return { type: 'nothing' };
-    const { state, position, run = this.shownRun } = outcome;
-    return this.present(editedRun(run, state), { session, position, edits: step.edits });
-  }
-
-  private async make(
-    session: OpenModel,
-    step: Step,
-    end: WorkEnd,
-  ): Promise<Ending | { state: DocumentState; position: number; run: FinishedRun | undefined }> {
-    const signal = end.left;
-    const work = {
-      signal,
-      stop: end.stopped,
-      onEvent: (event: TimedEvent) => this.follow(event, end),
-    };
-    try {
-      signal.throwIfAborted();
-      const made = await step.make(session, work);
-      if (made === false) return { type: 'nothing' };
-      if (made !== true && !made.ok) return { type: 'refused', refusal: made };
-      const { position } = session;
-      const run = this.runsOf.get(sessionIn(session));
-      return { state: await session.state(work), position, run };
-    } catch (error) {
-      if (signal.aborted) return { type: 'cancelled' };
-      if (end.stopped.aborted) return { type: 'empty' };
-      if (!(error instanceof JobError)) throw error;
-      return failureOf(error, true);
-    }
-  }
-
-  /** The document goes back to what is on the page; what cannot be shown can be made again. */
-  private comeBack(session: OpenModel): void {
-    while (session.position > this.shownPosition && session.undo());
-    while (session.position < this.shownPosition && session.redo());
+    if (!this.run || runs !== this.runs) return { type: 'nothing' };
+    const run = editedRun(shown ?? this.run, outcome.state);
+    return this.present(run, { session, position: outcome.position, edits: step.edits });
   }
 
   /** Puts a run on the page once it is drawn, unless later work has taken over by then. */
   private async present(
     run: FinishedRun,
-    how: {
-      session: OpenModel;
-      isWhole?: boolean;
-      position?: number;
-      edits?: readonly DocumentEdit[];
-    },
+    { session, isWhole = true, position = 0, edits = [] }: Presented,
   ): Promise<Ending> {
-    const { session, isWhole = true, position = 0, edits = [] } = how;
     const { runs } = this;
     const drawing = await this.needs.draw(run).catch((error: unknown) => {
       console.error(error);
@@ -455,12 +379,11 @@ export class Store {
     if (drawing === 'failed') return { type: 'undrawn', run };
     if (drawing && runs !== this.runs) drawing.drop();
     if (!drawing || runs !== this.runs) return { type: 'nothing' };
-    const before = this.session === session ? this.shownRun : null;
+    const before = this.page.session === session ? this.run : null;
     const isNaming = before !== null && isRenaming(before.result, run.result);
     const isBack = before !== null && before.model.files !== run.model.files;
     if (isBack) this.choice.comeBack(run.model);
-    this.runsOf.set(sessionIn(session), run);
-    [this.shownRun, this.session, this.shownPosition] = [run, session, position];
+    this.page.put(run, session, position);
     this.presentScene = 'result';
     // Nobody shall look for a part that is gone.
     this.selected = this.selected.filter((part) => part < run.result.parts);

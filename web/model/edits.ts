@@ -70,6 +70,13 @@ export function renamedBy(
   );
 }
 
+/** Whether an edit gives a part the name that it has. */
+export function isNamed(edit: DocumentEdit, names: readonly PartName[]): boolean {
+  if (edit.kind !== 'name') return false;
+  const name = names.find(({ part }) => part === edit.part - 1)?.name ?? '';
+  return name === edit.text;
+}
+
 /** What rounding makes of a place that is kept, in mm and degrees, at most. */
 const samePlace = 1e-6;
 
