@@ -40,7 +40,8 @@ async function picturesOf(page: Page, wanted = count): Promise<Buffer[]> {
   const pictures: Buffer[] = [];
   const viewers = await page.locator('foldwright-viewer').all();
   for (const viewer of viewers.slice(0, wanted)) {
-    const canvas = viewer.locator('canvas');
+    // Attempts that have failed leave theirs until one succeeds.
+    const canvas = viewer.locator('canvas').last();
     let picture = await canvas.screenshot();
     while (picture.length < blank) picture = await canvas.screenshot();
     pictures.push(picture);
