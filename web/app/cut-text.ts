@@ -1,4 +1,3 @@
-import type { Words } from '../words/words.js';
 import type { StudioPlace } from './place.js';
 
 /**
@@ -6,19 +5,17 @@ import type { StudioPlace } from './place.js';
  * it over what is below, and cuts it again.
  */
 export class CutText {
-  private readonly status: Words['page']['status'];
-
   /**
    * @param box gets the attribute `data-open` while all is shown
    * @param words cut by their style unless that is there
+   * @param button has what it says in `data-more` and `data-less`
    */
   constructor(
-    { life, words: { page } }: Pick<StudioPlace, 'life' | 'words'>,
+    { life }: Pick<StudioPlace, 'life'>,
     private readonly box: HTMLElement,
     private readonly words: HTMLElement,
     private readonly button: HTMLButtonElement,
   ) {
-    this.status = page.status;
     button.addEventListener('click', () => this.open(!this.isOpen));
     const observer = new ResizeObserver(() => this.look());
     observer.observe(words);
@@ -38,7 +35,8 @@ export class CutText {
   private open(isOpen: boolean): void {
     this.box.toggleAttribute('data-open', isOpen);
     this.button.setAttribute('aria-expanded', String(isOpen));
-    this.button.textContent = isOpen ? this.status.less : this.status.more;
+    const { more = '', less = '' } = this.button.dataset;
+    this.button.textContent = isOpen ? less : more;
     this.look();
   }
 
