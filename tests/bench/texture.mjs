@@ -40,7 +40,7 @@ async function figuresOf({ files, faces, isReadElsewhere }, pool, surfaces) {
   const session = await open(files, { pool });
   await session.run({ ...options, ...(faces && { faces }) });
   const result = await session.result();
-  const sheets = (await session.export('svg')).map(({ bytes }) => new TextDecoder().decode(bytes));
+  const sheets = (await session.export('svg')).map(({ bytes }) => Buffer.from(bytes).toString());
   session.close();
   if (!result.looks) return null;
   const surface = isReadElsewhere ? await surfaces.of(files) : lookedSurface(result);

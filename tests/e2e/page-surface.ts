@@ -11,7 +11,6 @@ import {
   TextureLoader,
   Vector2,
   Vector3,
-  type BufferGeometry,
   type Material,
   type Object3D,
   type Texture,
@@ -163,7 +162,7 @@ class Collector {
   private readonly pictures = new Map<unknown, number>();
 
   add(mesh: Mesh): void {
-    const geometry = mesh.geometry as BufferGeometry;
+    const geometry = mesh.geometry;
     const count = geometry.index?.count ?? geometry.getAttribute('position').count;
     const list = Array.isArray(mesh.material) ? mesh.material : [mesh.material];
     const groups =
@@ -182,7 +181,7 @@ class Collector {
   }
 
   private addCorner(mesh: Mesh, material: MeshStandardMaterial, corner: number): void {
-    const geometry = mesh.geometry as BufferGeometry;
+    const geometry = mesh.geometry;
     const vertex = geometry.index ? geometry.index.getX(corner) : corner;
     const place = mesh.getVertexPosition(vertex, new Vector3()).applyMatrix4(mesh.matrixWorld);
     this.surface.corners.push(...place.toArray());
@@ -233,7 +232,7 @@ export async function pageSurface(files: readonly SentFile[]): Promise<SentSurfa
   scene.updateMatrixWorld(true);
   const collector = new Collector();
   scene.traverse((node) => {
-    if (node instanceof Mesh) collector.add(node);
+    if (node instanceof Mesh) collector.add(node as Mesh);
   });
   return collector.surface;
 }
