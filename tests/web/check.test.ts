@@ -293,7 +293,8 @@ describe('words', () => {
       { code: 'inner-bodies', params: { count: 4 } }, // told beside its switch
     ];
     const { repaired, remaining } = repairWords(english, repairs);
-    expect(repaired).toEqual([{ step: 'weld', words: expect.stringMatching(/^2 vertices .*\.$/) }]);
+    expect(repaired.map(({ step }) => step)).toEqual(['weld']);
+    expect(repaired[0]?.words).toMatch(/^2 vertices .*\.$/);
     expect(remaining).toEqual([expect.stringMatching(/^4 edges lie on the border/)]);
   });
 

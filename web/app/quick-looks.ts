@@ -90,7 +90,9 @@ export class QuickLooks {
       return this.looker.inspect(aspect, { signal });
     }
     const { looker, repairs } = await this.copyFor(making);
-    return { ...(await looker.inspect({ faces, up: 'y' }, { signal })), repairs };
+    // What was left as it is, is to stay so in the copy.
+    const { repair } = making;
+    return { ...(await looker.inspect({ faces, up: 'y', repair }, { signal })), repairs };
   }
 
   /** Frees the workers of what goes on. */
