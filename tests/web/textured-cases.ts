@@ -27,8 +27,8 @@ const simplified: Readonly<Record<string, number>> = {
 /** Quads that are not flat, which other programs cut along their other diagonals. */
 const bent: readonly string[] = ['textured/spot/spot_control_mesh.obj'];
 
-/** What three.js has no reader for, or reads in part. */
-const unread = /\.pdo$|material_multiproperties/;
+/** What three.js has no reader for, or reads in part: it leaves out the colour of a whole object where faces have pictures. */
+const unread = /\.pdo$|material_multiproperties|production_material_textured_cube/;
 
 function filesBelow(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true, recursive: true })
