@@ -95,7 +95,9 @@ function parsed(name: string, value: unknown): unknown {
     return row.parse(writtenOf(value));
   } catch (error) {
     if (!(error instanceof BadValue)) throw error;
-    throw new BadOption({ what: 'value', option: name, value: writtenOf(value), ...error.fault });
+    // True and false as the program wrote them.
+    const told = typeof value === 'boolean' ? String(value) : writtenOf(value);
+    throw new BadOption({ what: 'value', option: name, value: told, ...error.fault });
   }
 }
 
