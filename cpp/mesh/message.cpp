@@ -17,10 +17,7 @@ std::string written(const std::string& text) { return text; }
 template <class Item>
 std::string written(const std::vector<Item>& list) {
   std::string text;
-  for (const Item& item : list) {
-    if (!text.empty()) text += ',';
-    text += written(item);
-  }
+  for (std::size_t i = 0; i < list.size(); ++i) text += (i == 0 ? "" : ",") + written(list[i]);
   return text;
 }
 

@@ -1,6 +1,8 @@
 /** Parsers for the values of options. A parser throws `BadValue` with what it would have taken. */
 import {
-  repairSteps,
+  isRequested,
+  isStep,
+  isSwitch,
   requests,
   switchableSteps,
   type NeededStep,
@@ -100,23 +102,14 @@ export function dashes(text: string): number[] {
 /** Splits 'weld=off'. @throws BadValue for what is no switch of a step */
 function stepSwitch(text: string): { step: RepairStep; isOff: boolean } {
   const [name = '', value = '', ...more] = text.split('=');
-  const isSwitch = (value === 'on' || value === 'off') && more.length === 0;
-  if (!isSwitch || !Object.hasOwn(repairSteps, name)) {
+  if ((value !== 'on' && value !== 'off') || more.length > 0 || !isStep(name)) {
     throw new BadValue({ expected: 'switches', steps: switchableSteps });
   }
-  const step = name as keyof typeof repairSteps;
-  switch (step) {
-    case 'polygons':
-    case 'degenerate':
-    case 'non-manifold':
-      throw new BadValue({ expected: 'other-step', step });
-    case 'holes':
-    case 'crossing':
-    case 'inside':
-      throw new BadValue({ expected: 'other-step', step, request: requests[step] });
-    default:
-      return { step, isOff: value === 'off' };
+  if (isSwitch(name)) return { step: name, isOff: value === 'off' };
+  if (isRequested(name)) {
+    throw new BadValue({ expected: 'other-step', step: name, request: requests[name] });
   }
+  throw new BadValue({ expected: 'other-step', step: name });
 }
 
 /** The steps that a list such as 'weld=off,cracks=off' switches off, in their own order; none for 'on'. */

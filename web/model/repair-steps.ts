@@ -55,7 +55,9 @@ export const repairCodes: Readonly<Record<RepairStep, string>> = {
 /** Under which code the engine tells what a step would do that is switched off; its parameter `what` is the step. */
 export const stepOff = 'step-off';
 
-const isSwitch = (name: string): name is RepairStep => Object.hasOwn(repairCodes, name);
+export const isStep = (name: string): name is StepName => Object.hasOwn(repairSteps, name);
+export const isSwitch = (name: string): name is RepairStep => Object.hasOwn(repairCodes, name);
+export const isRequested = (name: string): name is RequestedStep => Object.hasOwn(requests, name);
 
 /** The steps that can be switched off, in the order in which they run. */
 export const switchableSteps: readonly RepairStep[] = Object.keys(repairSteps).filter(isSwitch);

@@ -1,5 +1,5 @@
 // Takes the place of OpenMesh's header of this name: properties of meshes are never written to streams here, but the
-// virtual functions that would do so bring streams and all their locales into the WASM module, a tenth of its code.
+// virtual functions that would do so bring streams and all their locales into the WASM module, a fifteenth of it.
 #ifndef FOLDWRIGHT_OPENMESH_STORE_RESTORE_HH
 #define FOLDWRIGHT_OPENMESH_STORE_RESTORE_HH
 
